@@ -1,0 +1,152 @@
+#ifndef VO_GEOMETRY_ACTIONS_H
+#define VO_GEOMETRY_ACTIONS_H
+
+#include <vo/Appearance.h>
+#include <vo/Geometry.h>
+
+class voGeometryActions;
+class voDrawActionCache;
+
+/** Order of the bricks of a set, back to front, for the given OpenGL matrices (column by column). Exact for a brick
+    lattice in orthographic and perspective views, the eye inside the volume included (guide, pages 56 and 151). */
+class VO_API voSortAction
+{
+public:
+    voSortAction(voBrickSet *brickSet, GLdouble modelMatrix[16], GLdouble projMatrix[16]);
+    ~voSortAction();
+    /** The number of the brick to draw as number brickNo. Outside 0 to count - 1: BAD_VALUE and 0. */
+    int operator[](int brickNo) const;
+
+private:
+    struct Private;
+    Private *d;
+    voSortAction(const voSortAction &);
+    voSortAction &operator=(const voSortAction &);
+};
+
+/** Operations on geometry (guide, pages 50-58, 118-127, 149-156). All are static. Matrices are OpenGL's, 16 values
+    column by column. Those that return int return 0, or non-zero with voError set. */
+class VO_API voGeometryActions
+{
+public:
+    typedef ::voSortAction voSortAction;
+
+    /** Slices every tetrahedron with every sampling surface, clips to the clip box of every brick, and fills
+        polygonSet[brick][sample]; sample 0 is the farthest. All face sets up to maxSamplesNumber, and the vertex data
+        that they share, are emptied first. samplesNumber is written, never read. Every value of a record is
+        interpolated linearly; the position is its last three.
+
+        samplingPeriod NULL: maxSamplesNumber surfaces. Else the step along the view direction d, in voxels, is
+        1 / sqrt(sum (d_i / period_i)^2), the number of surfaces max(1, ceil(extent / step - 1e-6)), at most
+        maxSamplesNumber, and surface k lies at far - (k + 1/2) extent / n (OBJECT; docs/frames.md has the others).
+        Too little room in caller-owned storage: OUT_OF_MEMORY, and a shorter but valid result. */
+    static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, voInterleavedArrayType format,
+                          GLdouble modelMatrix[16], GLdouble projMatrix[16], voSamplingMode samplingMode,
+                          voSamplingSpace samplingSpace, float samplingPeriod[3], int maxSamplesNumber,
+                          int &samplesNumber, voIndexedFaceSet ***polygonSet);
+    /** The same; samplesNumber in is the most (or, without a period, the exact) number of surfaces, out the number
+        used. */
+    static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, GLdouble modelMatrix[16],
+                          GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
+                          int &samplesNumber, float samplingPeriod[3], voIndexedFaceSet ***polygonSet);
+
+    /** Not there yet: UNSUPPORTED, nothing is written. */
+    static int polygonizeMPR(float planeEquation[4], voBrickSet *brickSet, voIndexedFaceSet ***polygonSet,
+                             voInterleavedArrayType format);
+    static int polygonizeMPR(voVertexData *polygon, voBrickSet *brickSet, voIndexedFaceSet ***polygonSet,
+                             voInterleavedArrayType format);
+
+    /** The vertices of tetrahedron and plane {A, B, C, D}, Ax + By + Cz + D = 0: none, 3 or 4, in order round the
+        polygon. A vertex on the plane counts as in front (Ax + By + Cz + D >= 0). polygonVerts is emptied first and
+        needs room for 4 records, of which the last three values are written. */
+    static int sample(float tetraVerts[4][3], float planeEquation[4], voVertexData *polygonVerts);
+
+    /** A convex polygon (its records in order) cut to a box, both faces included, or to the positive sides of planes
+        {A, B, C, D}; what is left, if anything, is appended to faceSet with every value interpolated. */
+    static int clip(voVertexData *polygon, voInterleavedArrayType format, float lowerLeft[3], float upperRight[3],
+                    voIndexedFaceSet *faceSet);
+    static int clip(voVertexData *polygon, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *faceSet);
+    static int clip(voVertexData *polygon, voInterleavedArrayType format, float *planes, int planeCount,
+                    voIndexedFaceSet *faceSet);
+
+    /** Draw in the current state of OpenGL, which is given back as it was. USER_V3F: UNSUPPORTED. The mode, GL_FILL,
+        GL_LINE or GL_POINT, holds for the call. draw of a tetra set draws the faces of its tetrahedra, of a brick or
+        a brick set their outlines in the current colour. */
+    static void draw(voIndexedFaceSet *faceSet, voInterleavedArrayType format);
+    static void draw(voIndexedFaceSet *faceSet, GLenum mode, voInterleavedArrayType format);
+    static void draw(voIndexedTetraSet *tetraSet, voInterleavedArrayType format);
+    static void draw(voIndexedTetraSet *tetraSet, GLenum mode, voInterleavedArrayType format);
+    static void draw(voBrick *brick);
+    static void draw(voBrickSet *brickSet);
+
+    /** A whole frame: chooses the stack, polygonizes through the cache, sorts, binds and draws with the current
+        matrices, colour and blending. cache may be NULL. Returns 0, or non-zero with voError set. */
+    static int drawUtility(voIndexedTetraSet *tetraSet, voInterleavedArrayType format, voBrickSetCollection *volume,
+                           voDrawActionCache *cache, voSamplingSpace samplingSpace, float samplingPeriod[3],
+                           voDecorationFlags decorations);
+
+    /** Not there yet: UNSUPPORTED and VO_FALSE; coordinates and voxels are left alone. */
+    static voBool pick(int pixelPosition[2], int viewport[4], voIndexedTetraSet *tetraSet, voBrickSet *brickSet,
+                       voInterleavedArrayType format, GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                       float samplingPeriod[3], voBool flag, voVertexData *coordinates, void *voxels);
+    static voBool pick(int pixelPosition[2], int viewport[4], voIndexedTetraSet *tetraSet, voBrick *brick,
+                       voInterleavedArrayType format, GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                       float samplingPeriod[3], voBool flag, voVertexData *coordinates, void *voxels);
+
+    /** AXIS_ALIGNED: the stack most perpendicular to the view, XY, XZ or YZ. Any other mode: UNSPECIFIED. */
+    static voPlaneOrientation findClosestAxisIndex(GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                                                   int samplingMode);
+    /** Eye position and unit view direction in object space. Orthographic: viewDir[3] = 0 and eyePos is left alone;
+        perspective: viewDir[3] = 1. Singular matrices: BAD_VALUE, nothing is written. */
+    static void findCameraPosition(double eyePos[3], double viewDir[4], GLdouble modelMatrix[16],
+                                   GLdouble projMatrix[16]);
+    /** Unit view direction in object space. Singular matrices: BAD_VALUE and (0, 0, 1). */
+    static void findViewDirection(double viewDir[3], GLdouble modelMatrix[16], GLdouble projMatrix[16]);
+    /** Not there yet: UNSUPPORTED and 0. */
+    static float findProjectedArea(voIndexedFaceSet *faceSet, GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                                   GLint viewport[4]);
+};
+
+typedef voGeometryActions voGeometryAction;
+
+/** Base of what is kept from frame to frame (guide, page 98). */
+class VO_API voCache
+{
+public:
+    virtual ~voCache();
+    /** Everything kept is stale. */
+    virtual void invalidate() = 0;
+
+protected:
+    voCache();
+};
+
+/** The polygons of the last frame, for drawUtility (guide, pages 98 and 115). They are made anew when the volume's
+    current set, the tetrahedra (compared by content), the sampling period or space, or the matrices change: the view
+    direction by more than the threshold. maxSamplesNumber bounds the surfaces; the other sizes are hints. The
+    objects are borrowed. */
+class VO_API voDrawActionCache : public voCache
+{
+public:
+    voDrawActionCache(voIndexedTetraSet *tetraSet, voBrickSetCollection *volume, int maxSamplesNumber,
+                      voSamplingMode samplingMode, int valuesPerVertex, int maxVertices);
+    virtual ~voDrawActionCache();
+    /** Degrees that the view direction may turn before the polygons are made again; 0, the initial value: with any
+        change. */
+    void setThreshold(double degrees);
+    virtual void invalidate();
+
+private:
+    struct Private;
+    Private *d;
+    friend struct voInside;
+    voDrawActionCache(const voDrawActionCache &);
+    voDrawActionCache &operator=(const voDrawActionCache &);
+};
+
+/** The names that the guide also uses without their class (pages 143, 153-155). */
+VO_API voPlaneOrientation findClosestAxisIndex(GLdouble modelMatrix[16], GLdouble projMatrix[16], int samplingMode);
+VO_API int sample(float tetraVerts[4][3], float planeEquation[4], voVertexData *polygonVerts);
+VO_API int clip(voVertexData *polygon, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *faceSet);
+
+#endif

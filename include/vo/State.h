@@ -1,0 +1,38 @@
+#ifndef VO_STATE_H
+#define VO_STATE_H
+
+#include <vo/Enums.h>
+#include <vo/Error.h>
+
+/** What a program sets by OpenGL's fixed functions in a compatibility context, for contexts of the core profile that
+    have none. One state for each context, the current one; UNSUPPORTED without a context. In a compatibility context
+    these values are not used, but for the unit length: there OpenGL's own state counts.
+
+    Matrices are 16 values column by column. Initially: identity matrices, colour (1, 1, 1, 1), no clip planes. */
+class VO_API voState
+{
+public:
+    static void setModelMatrix(const GLdouble matrix[16]);
+    static void setProjectionMatrix(const GLdouble matrix[16]);
+    static void setTextureMatrix(const GLdouble matrix[16]);
+    static void getModelMatrix(GLdouble matrix[16]);
+    static void getProjectionMatrix(GLdouble matrix[16]);
+    static void getTextureMatrix(GLdouble matrix[16]);
+    static void setColor(float red, float green, float blue, float alpha);
+    /** Clip plane 0 to 7, {A, B, C, D} in eye space; what has Ax + By + Cz + D >= 0 is drawn. Enable
+        GL_CLIP_DISTANCE0 + index in OpenGL to use it. */
+    static void setClipPlane(int index, const GLdouble plane[4]);
+
+    /** How OpenGL's functions are found in this context; for contexts made neither by GLX, EGL nor OSMesa. Call it
+        first, with the context current. NULL goes back to the platform's own. */
+    typedef void (*Function)();
+    typedef Function (*GetProcAddress)(const char *name);
+    static void setGetProcAddress(GetProcAddress getProcAddress);
+
+    /** Opacity per length instead of per slice: with a length above 0, in voxels, a table's alpha is the opacity of
+        that length, and each sample gets 1 - (1 - alpha)^(step / length) with step along the pixel's ray. 0, the
+        initial value: per slice. Not there yet: UNSUPPORTED for a length above 0. */
+    static void setUnitLength(double length);
+};
+
+#endif
