@@ -1,0 +1,28 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <optional>
+
+namespace vo {
+
+/// The viewer in object space, from OpenGL's matrices.
+struct Camera
+{
+    bool perspective = false;
+    glm::dvec3 eye{0.0};            ///< perspective only
+    glm::dvec3 direction{0, 0, -1}; ///< unit vector from the viewer along the middle of the view
+    glm::dvec3 depthNormal{0, 0, -1}; ///< unit normal of the planes parallel to the viewport, pointing away from the viewer
+    double nearDepth = 0.0; ///< dot(depthNormal, p) on the near plane of the view volume
+    double farDepth = 0.0;  ///< and on the far plane
+
+    /// Unit direction in which the viewer sees `point`; `direction` when it is the eye itself or orthographic.
+    glm::dvec3 towards(const glm::dvec3& point) const;
+};
+
+/// The camera of model-view and projection matrices, column by column. Nothing for singular or non-finite ones.
+std::optional<Camera> findCamera(const glm::dmat4& model, const glm::dmat4& projection);
+
+} // namespace vo

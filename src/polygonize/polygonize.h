@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/box.h"
+#include "geometry/face_sink.h"
+#include "geometry/tetra_view.h"
+#include "polygonize/sampling_planes.h"
+
+#include <memory>
+#include <span>
+
+namespace vo {
+
+/// Memory that polygonize keeps from call to call, so that a steady state allocates nothing.
+class PolygonizeWorkspace
+{
+public:
+    PolygonizeWorkspace();
+    ~PolygonizeWorkspace();
+    PolygonizeWorkspace(const PolygonizeWorkspace&) = delete;
+    PolygonizeWorkspace& operator=(const PolygonizeWorkspace&) = delete;
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+struct PolygonizeResult
+{
+    int samples = 0;       ///< sampling planes used
+    double spacing = 0.0;  ///< between them, along the view direction
+    bool complete = true;  ///< false: the sink had no room, the rest is missing
+};
+
+/// Slices every tetrahedron with every plane, cuts the slices to the clip boxes, and hands the polygons to `sink`
+/// as (box number, plane number). Boxes keep their lower faces and drop their upper ones, except those that bound the
+/// union of all boxes.
+PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
+                            const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink);
+
+} // namespace vo

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/box.h"
+#include "geometry/tetra_view.h"
+#include "polygonize/camera.h"
+
+#include <optional>
+
+namespace vo {
+
+enum class SamplingMode { viewportAligned, axisAligned };
+enum class SamplingSpace { viewVolume, object, primitive };
+
+/// What the caller asks of the sampling planes.
+struct SamplingRequest
+{
+    SamplingMode mode = SamplingMode::viewportAligned;
+    SamplingSpace space = SamplingSpace::object;
+    std::optional<glm::dvec3> period; ///< voxels, each above 0; nothing: exactly maxSamples planes
+    int maxSamples = 1;               ///< at least 1
+    /// Axis across a stack of two-dimensional bricks (0, 1, 2), or -1: then planes are anchored at voxel centres.
+    int stackAxis = -1;
+};
+
+/// Parallel planes, numbered from the farthest: plane k holds the points p with
+/// dot(normal, p) = first - k * spacing.
+struct PlaneFamily
+{
+    glm::dvec3 normal{0, 0, 1}; ///< points away from the viewer; scaled so that offsets are lengths along the view
+    double first = 0.0;
+    double spacing = 1.0; ///< along the view direction, above 0
+    int count = 0;
+};
+
+/// Axis most parallel to the view: 0, 1 or 2. Ties go to the later axis.
+int closestAxis(const Camera& camera);
+
+/// The planes for a set of tetrahedra (docs/frames.md). For SamplingSpace::primitive these are the planes of the
+/// tetrahedron with the largest extent; primitivePlanes gives each one's own.
+PlaneFamily samplingPlanes(const TetraView& tetras, const Camera& camera, const SamplingRequest& request);
+PlaneFamily primitivePlanes(const TetraView& tetras, int tetra, const Camera& camera, const SamplingRequest& request);
+
+} // namespace vo
