@@ -1,1 +1,36 @@
 # Install rules and the package descriptions (find_package(Volumizer), pkg-config volumizer).
+
+include(CMakePackageConfigHelpers)
+if(NOT TARGET vo)
+    return()
+endif()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/volumizer)
+file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+
+# The library and its headers.
+install(TARGETS vo EXPORT volumizer-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+
+# The programs, those that this build has.
+foreach(program mkcubes voglSimple voglBasic)
+    if(TARGET ${program})
+        set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+        install(TARGETS ${program})
+    endif()
+endforeach()
+install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
+install(DIRECTORY data/tables DESTINATION ${CMAKE_INSTALL_DATADIR}/volumizer)
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# find_package(Volumizer)
+install(EXPORT volumizer-targets NAMESPACE Volumizer:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/volumizer-config.cmake.in volumizer-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(volumizer-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config-version.cmake DESTINATION ${package_dir})
+
+# pkg-config volumizer
+configure_file(cmake/volumizer.pc.in volumizer.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/volumizer.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Installs a build into a new folder and builds the README's program against it the three ways that the README names:
+find_package, pkg-config and plain -lvo. One of them then runs in a window of a private display, and must show a ball.
+
+    install_test.py BUILD COMPILER [COMPILER-FLAG...]
+"""
+
+import os
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PROGRAM = os.path.join(HERE, "smallest.cpp")
+SIZE = 512  # of the program's window
+
+
+def run(*command, **options):
+    print("$", " ".join(command), flush=True)
+    return subprocess.run(command, check=True, text=True, **options)
+
+
+def install(build, prefix):
+    run("cmake", "--install", build, "--prefix", prefix, stdout=subprocess.DEVNULL)
+    for path in ("bin/mkcubes", "include/vo/Volumizer.h", "share/volumizer/tables", "share/man/man1"):
+        if not os.path.exists(os.path.join(prefix, path)):
+            raise AssertionError(f"{path} was not installed")
+    run(os.path.join(prefix, "bin/mkcubes"), "8", "8", "8", "4", os.path.join(prefix, "cubes.tif"))
+
+
+def by_find_package(prefix, folder, compiler, flags):
+    run("cmake", "-S", os.path.join(HERE, "consumer"), "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={' '.join(flags)}", f"-DPROGRAM={PROGRAM}",
+        stdout=subprocess.DEVNULL)
+    run("cmake", "--build", folder, stdout=subprocess.DEVNULL)
+
+
+def by_pkg_config(prefix, folder, compiler, flags):
+    libraries = os.path.join(library_folder(prefix), "pkgconfig")
+    answer = run("pkg-config", "--cflags", "--libs", "volumizer", "glfw3", "gl", stdout=subprocess.PIPE,
+                 env={**os.environ, "PKG_CONFIG_PATH": libraries}).stdout
+    run(compiler, *flags, PROGRAM, "-o", os.path.join(folder, "smallest"), *answer.split())
+
+
+def by_hand(prefix, folder, compiler, flags):
+    run(compiler, *flags, PROGRAM, "-o", os.path.join(folder, "smallest"), f"-I{prefix}/include",
+        f"-L{library_folder(prefix)}", "-lvo", "-lglfw", "-lGL")
+
+
+def library_folder(prefix):
+    for folder, _, names in os.walk(prefix):
+        if "libvo.so" in names:
+            return folder
+    raise AssertionError("libvo.so was not installed")
+
+
+def loads_the_installed_library(program, prefix):
+    environment = {**os.environ, "LD_LIBRARY_PATH": library_folder(prefix)}
+    loaded = run("ldd", program, stdout=subprocess.PIPE, env=environment).stdout
+    lines = [line for line in loaded.splitlines() if "libvo.so" in line]
+    if len(lines) != 1 or os.path.realpath(prefix) not in os.path.realpath(lines[0].split()[2]):
+        raise AssertionError(f"{program} does not load libvo of {prefix}:\n{loaded}")
+
+
+def shows_a_ball(program, prefix, folder):
+    """The window of a private display, read from the display's own memory: bright in its middle, black at its rim."""
+    read, write = os.pipe()
+    display = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-fbdir", folder, "-nolisten", "tcp",
+                                "-screen", "0", f"{SIZE}x{SIZE}x24"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    window = None
+    try:
+        os.close(write)
+        number = os.fdopen(read).readline().strip()
+        if not number:
+            raise AssertionError("Xvfb did not start")
+        environment = {**os.environ, "DISPLAY": f":{number}", "LD_LIBRARY_PATH": library_folder(prefix)}
+        window = subprocess.Popen([program], env=environment)
+        middle = rim = None
+        for _ in range(600):
+            if window.poll() is not None:
+                raise AssertionError(f"the program ended by itself, with {window.returncode}")
+            middle, rim = grey(os.path.join(folder, "Xvfb_screen0"))
+            if middle > 100 and rim == 0:
+                return
+            time.sleep(0.1)
+        raise AssertionError(f"no ball: grey {middle} in the middle, {rim} at the rim")
+    finally:
+        for process in (window, display):
+            if process:
+                process.terminate()
+                process.wait()
+
+
+def grey(dump):
+    """Red in the middle of an X window dump, and the largest red a tenth off its left edge."""
+    with open(dump, "rb") as file:
+        data = file.read()
+    fields = struct.unpack(">25I", data[:100])
+    header, stride, colours = fields[0], fields[12], fields[19]
+    pixels = header + 12 * colours
+
+    def red(x, y):
+        return data[pixels + y * stride + 4 * x + 2]
+
+    return red(SIZE // 2, SIZE // 2), max(red(SIZE // 10, y) for y in range(SIZE))
+
+
+def main():
+    build, compiler, *flags = sys.argv[1:]
+    with tempfile.TemporaryDirectory() as folder:
+        prefix = os.path.join(folder, "installed")
+        install(build, prefix)
+        programs = []
+        for way in (by_find_package, by_pkg_config, by_hand):
+            place = os.path.join(folder, way.__name__)
+            os.mkdir(place)
+            way(prefix, place, compiler, flags)
+            programs.append(os.path.join(place, "smallest"))
+            loads_the_installed_library(programs[-1], prefix)
+        if shutil.which("Xvfb"):
+            shows_a_ball(programs[-1], prefix, folder)
+        else:
+            print("Xvfb: Skipped\nno Xvfb to show a window on\n[  SKIPPED ] install.window (0 ms)")
+
+
+if __name__ == "__main__":
+    main()
