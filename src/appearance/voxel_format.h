@@ -38,7 +38,9 @@ bool isPacked(VoxelType type);
 int channelCount(Channels channels);
 /// Bytes of one voxel.
 std::size_t voxelBytes(VoxelFormat format);
-/// Packed types hold all channels in one number: 3_3_2 three of them, the others four. True when the format can exist.
+/// Packed types hold all channels in one number, the first in its highest bits. 3_3_2 has red, green and
+/// blue, goes with rgba and reads as opaque; the others hold the four channels of rgba or abgr. True when the
+/// format can exist.
 bool isValid(VoxelFormat format);
 
 } // namespace vo
