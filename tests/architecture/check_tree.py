@@ -20,7 +20,7 @@ FACE_HOME = "legacy"
 
 # A dependency, how it shows in code (comments and strings removed) or in #include lines, and its homes.
 HOMES = [
-    ("OpenGL", r"\bgl[A-Z]\w*\s*\(", r"^(GL/|glad/)", ["src/draw/", "demos/", "tests/"]),
+    ("OpenGL", r"\bgl(?:\(\)\.|->|\.)?[A-Z]\w*\s*\(", r"^(GL/|glad/)", ["src/draw/", "demos/", "tests/"]),
     ("TIFF", None, r"^tiff\w*\.h$", ["util/volume_io/", "tests/util/"]),
     ("PNG", None, r"^png\w*\.h$", ["util/volume_io/", "tests/util/"]),
     ("GLFW", r"\bglfw[A-Z]\w*\s*\(", r"^GLFW/", ["demos/common/", "tests/install/"]),

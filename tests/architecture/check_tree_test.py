@@ -35,6 +35,8 @@ FAULTS = [
     ("include_order", "src/frame/a.cpp", '#include "volume_io/volume.h"\n', "knows nothing of volume_io"),
     ("face_home", "src/frame/frame.cpp", "#include <vo/Geometry.h>\n", "only src/legacy"),
     ("dependency_homes", "src/frame/frame.cpp", "void f() { glEnable(1); }\n", "OpenGL is called in"),
+    ("dependency_homes", "src/frame/frame.cpp", "void f(Gl& gl) { gl.Enable(1); }\n", "OpenGL is called in"),
+    ("dependency_homes", "src/frame/frame.cpp", "void f() { context.gl().Enable(1); }\n", "OpenGL is called in"),
     ("dependency_homes", "src/sort/order.cpp", "#include <GL/gl.h>\n", "OpenGL lives in"),
     ("dependency_homes", "util/volume_io/a.cpp", "#include <glad/gl.h>\n", "OpenGL lives in"),
     ("dependency_homes", "demos/common/picture.cpp", "#include <png.h>\n", "PNG lives in"),
