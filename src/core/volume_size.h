@@ -12,7 +12,8 @@ struct VoxelSize
     int z = 1;
 
     int operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
-    /// Number of voxels; never overflows, since each size is below 2^31 and callers bound the product by memory.
+    /// Number of voxels; never overflows, since each size is below 2^31 and callers bound the product by
+    /// memory.
     std::uint64_t count() const
     {
         return static_cast<std::uint64_t>(x) * static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(z);

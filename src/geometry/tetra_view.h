@@ -6,8 +6,8 @@
 
 namespace vo {
 
-/// Tetrahedra of somebody else's arrays: records of `valuesPerVertex` floats whose last three are the position,
-/// and four record numbers for each tetrahedron, all in range (the caller has checked).
+/// Tetrahedra of somebody else's arrays: records of `valuesPerVertex` floats whose last three are the
+/// position, and four record numbers for each tetrahedron, all in range (the caller has checked).
 struct TetraView
 {
     std::span<const float> records;

@@ -25,14 +25,14 @@ public:
 
 struct PolygonizeResult
 {
-    int samples = 0;       ///< sampling planes used
-    double spacing = 0.0;  ///< between them, along the view direction
-    bool complete = true;  ///< false: the sink had no room, the rest is missing
+    int samples = 0;      ///< sampling planes used
+    double spacing = 0.0; ///< between them, along the view direction
+    bool complete = true; ///< false: the sink had no room, the rest is missing
 };
 
-/// Slices every tetrahedron with every plane, cuts the slices to the clip boxes, and hands the polygons to `sink`
-/// as (box number, plane number). Boxes keep their lower faces and drop their upper ones, except those that bound the
-/// union of all boxes.
+/// Slices every tetrahedron with every plane, cuts the slices to the clip boxes, and hands the polygons to
+/// `sink` as (box number, plane number). Boxes keep their lower faces and drop their upper ones, except those
+/// that bound the union of all boxes.
 PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
                             const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink);
 

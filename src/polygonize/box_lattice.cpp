@@ -1,0 +1,111 @@
+#include "polygonize/box_lattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace vo {
+
+namespace {
+
+/// Half a unit in the last place of a coordinate of 128 is 4e-6: noise below this moves no voxel, but would
+/// lose a plane that lies in a face.
+constexpr double kSnapDistance = 1e-5;
+
+bool before(const BoxLattice::Interval& a, const BoxLattice::Interval& b)
+{
+    return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper);
+}
+
+double snapped(double value, const std::vector<double>& faces)
+{
+    const auto above = std::lower_bound(faces.begin(), faces.end(), value);
+    double nearest = value;
+    double distance = kSnapDistance;
+    if (above != faces.end() && *above - value <= distance) {
+        nearest = *above;
+        distance = *above - value;
+    }
+    if (above != faces.begin() && value - above[-1] <= distance && value - above[-1] < *above - value)
+        nearest = above[-1];
+    return nearest;
+}
+
+} // namespace
+
+void BoxLattice::assign(std::span<const Box> boxes)
+{
+    const auto same = [](const Box& a, const Box& b) { return a.lower == b.lower && a.upper == b.upper; };
+    if (std::equal(boxes.begin(), boxes.end(), boxes_.begin(), boxes_.end(), same)) return;
+    boxes_.assign(boxes.begin(), boxes.end());
+    for (int axis = 0; axis < 3; ++axis)
+        findIntervals(axis);
+
+    entries_.clear();
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+        const Cell cell{intervalOf(0, boxes_[i]), intervalOf(1, boxes_[i]), intervalOf(2, boxes_[i])};
+        entries_.push_back({number(cell), static_cast<int>(i)});
+    }
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.cell, a.box) < std::tie(b.cell, b.box);
+    });
+}
+
+void BoxLattice::findIntervals(int axis)
+{
+    auto& intervals = intervals_[static_cast<std::size_t>(axis)];
+    auto& faces = faces_[static_cast<std::size_t>(axis)];
+    intervals.clear();
+    faces.clear();
+    for (const Box& box : boxes_) {
+        intervals.push_back({box.lower[axis], box.upper[axis], -1});
+        faces.push_back(box.lower[axis]);
+        faces.push_back(box.upper[axis]);
+    }
+    std::sort(intervals.begin(), intervals.end(), before);
+    const auto equal = [](const Interval& a, const Interval& b) {
+        return a.lower == b.lower && a.upper == b.upper;
+    };
+    intervals.erase(std::unique(intervals.begin(), intervals.end(), equal), intervals.end());
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+        for (std::size_t j = i + 1; j < intervals.size() && intervals[i].next < 0; ++j)
+            if (intervals[j].lower == intervals[i].upper) intervals[i].next = static_cast<int>(j);
+}
+
+int BoxLattice::intervalOf(int axis, const Box& box) const
+{
+    const auto& intervals = intervals_[static_cast<std::size_t>(axis)];
+    const Interval wanted{box.lower[axis], box.upper[axis], -1};
+    return static_cast<int>(std::lower_bound(intervals.begin(), intervals.end(), wanted, before) -
+                            intervals.begin());
+}
+
+std::uint64_t BoxLattice::number(const Cell& cell) const
+{
+    return (static_cast<std::uint64_t>(cell[0]) * intervals_[1].size() +
+            static_cast<std::uint64_t>(cell[1])) *
+               intervals_[2].size() +
+           static_cast<std::uint64_t>(cell[2]);
+}
+
+std::span<const BoxLattice::Entry> BoxLattice::boxes(const Cell& cell) const
+{
+    const auto byCell = [](const Entry& a, const Entry& b) { return a.cell < b.cell; };
+    const auto [first, last] =
+        std::equal_range(entries_.begin(), entries_.end(), Entry{number(cell), 0}, byCell);
+    return {first, last};
+}
+
+void BoxLattice::snap(CutPolygon& polygon) const
+{
+    for (int i = 0; i < polygon.count; ++i) {
+        double* position = polygon.record(i) + polygon.values - 3;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            position[axis] = snapped(position[axis], faces_[axis]);
+    }
+}
+
+} // namespace vo

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/box.h"
+#include "polygonize/slice_tetra.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vo {
+
+/// Clip boxes by the intervals that they span on each axis, so that a polygon is cut once per interval and
+/// the boxes on both sides of a seam receive the same vertices. Boxes may repeat, and need not fill the
+/// lattice.
+class BoxLattice
+{
+public:
+    struct Interval
+    {
+        double lower;
+        double upper;
+        int next; ///< the interval that begins where this one ends, or -1
+    };
+    /// An interval number per axis.
+    using Cell = std::array<int, 3>;
+
+    /// Takes other boxes; nothing happens when they are the same as before.
+    void assign(std::span<const Box> boxes);
+
+    /// Sorted by lower, then upper end.
+    std::span<const Interval> intervals(int axis) const { return intervals_[static_cast<std::size_t>(axis)]; }
+
+    struct Entry
+    {
+        std::uint64_t cell;
+        int box;
+    };
+    /// The boxes of a cell: one, none, or several equal ones.
+    std::span<const Entry> boxes(const Cell& cell) const;
+
+    /// Coordinates closer to a face of any box than rounding and single precision can tell take the face's
+    /// own.
+    void snap(CutPolygon& polygon) const;
+
+private:
+    std::uint64_t number(const Cell& cell) const;
+    void findIntervals(int axis);
+    int intervalOf(int axis, const Box& box) const;
+
+    std::vector<Box> boxes_;
+    std::array<std::vector<Interval>, 3> intervals_;
+    std::array<std::vector<double>, 3> faces_; ///< sorted coordinates of all faces across an axis
+    std::vector<Entry> entries_;               ///< sorted by cell, then box
+};
+
+} // namespace vo
