@@ -1,0 +1,340 @@
+#include "options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <climits>
+#include <cmath>
+
+namespace vo {
+namespace {
+
+using Words = std::span<const char* const>;
+
+enum class Home { Guide, Ours };
+
+/// Arguments of one option, taken one after the other; the first one that does not fit is kept as a failure.
+class Arguments
+{
+public:
+    Arguments(const char* option, Words words) : option_(option), words_(words) {}
+
+    double number(double low, double high, const char* expected)
+    {
+        const std::string word = text();
+        double value = 0;
+        const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (code != std::errc() || end != word.data() + word.size() || !(value >= low && value <= high)) {
+            fail(expected, word);
+        }
+        return value;
+    }
+    int integer(int low, int high, const char* what)
+    {
+        const std::string word = text();
+        int value = 0;
+        const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (code != std::errc() || end != word.data() + word.size() || value < low || value > high) {
+            fail(std::string(what) + " from " + std::to_string(low) + " to " + std::to_string(high), word);
+        }
+        return value;
+    }
+    std::string text() { return words_[next_++]; }
+    void fail(const std::string& expected, const std::string& found)
+    {
+        if (!failure_) {
+            failure_ = Failure{std::string("option -") + option_ + ": expected " + expected + ", found '" +
+                               found + "'"};
+        }
+    }
+    const std::optional<Failure>& failure() const { return failure_; }
+
+private:
+    const char* option_;
+    Words words_;
+    std::size_t next_ = 0;
+    std::optional<Failure> failure_;
+};
+
+constexpr double kLargest = 1e9;
+constexpr const char* kNumber = "a number";
+constexpr const char* kPositive = "a number above 0";
+constexpr double kSmallest = 1e-6;
+
+struct Option
+{
+    const char* name;
+    /// Names of the arguments, as -help prints them.
+    std::vector<const char*> arguments;
+    Home home;
+    OptionSet least;
+    const char* help;
+    void (*read)(Options&, Arguments&);
+};
+
+void readDataRange(Options& options, Arguments& arguments)
+{
+    const double low = arguments.number(-3.5e38, 3.5e38, kNumber);
+    const double high = arguments.number(-3.5e38, 3.5e38, kNumber);
+    if (!(low < high)) arguments.fail("LOW below HIGH", std::to_string(low) + " " + std::to_string(high));
+    options.dataRange = Options::DataRange{low, high};
+}
+
+void readLut(Options& options, Arguments& arguments)
+{
+    const double center = arguments.number(-3.5e38, 3.5e38, kNumber);
+    options.lut = Options::Ramp{center, arguments.number(1e-30, 3.5e38, kPositive)};
+}
+
+void readSize(Options& options, Arguments& arguments)
+{
+    options.width = arguments.integer(1, 16384, "a width in pixels");
+    options.height = arguments.integer(1, 16384, "a height in pixels");
+}
+
+void readView(Options& options, Arguments& arguments)
+{
+    options.latitude = arguments.number(-kLargest, kLargest, "a latitude in degrees");
+    options.longitude = arguments.number(-kLargest, kLargest, "a longitude in degrees");
+}
+
+void readScale(Options& options, Arguments& arguments)
+{
+    for (double& spacing : options.scale)
+        spacing = arguments.number(kSmallest, kLargest, kPositive);
+}
+
+void readBricks(Options& options, Arguments& arguments)
+{
+    auto& bricks = options.bricks.emplace();
+    for (int& count : bricks)
+        count = arguments.integer(1, 1024, "a number of bricks");
+}
+
+void readSpace(Options& options, Arguments& arguments)
+{
+    const std::string word = arguments.text();
+    if (word != "object" && word != "view") arguments.fail("object or view", word);
+    options.viewSpace = word == "view";
+}
+
+/// Every option of the programs, in the order of -help.
+const std::vector<Option>& optionTable()
+{
+    using enum Home;
+    using enum OptionSet;
+    static const std::vector<Option> table{
+        {"2D",
+         {},
+         Guide,
+         All,
+         "draw with stacks of 2D textures, one for each axis",
+         [](Options& o, Arguments&) { o.textureDimensions = 2; }},
+        {"3D",
+         {},
+         Guide,
+         All,
+         "draw with 3D textures (the default)",
+         [](Options& o, Arguments&) { o.textureDimensions = 3; }},
+        {"color",
+         {},
+         Guide,
+         All,
+         "draw in RGBA (the default with a table of colours)",
+         [](Options& o, Arguments&) { o.color = true; }},
+        {"dataRange",
+         {"LOW", "HIGH"},
+         Guide,
+         All,
+         "values of the file that the table begins and ends at (default: all values of 8-bit types, else "
+         "the\n"
+         "smallest and the largest in the file)",
+         readDataRange},
+        {"lut",
+         {"CENTER", "WIDTH"},
+         Guide,
+         All,
+         "a grey ramp over these values of the file (default: over the whole data range)",
+         readLut},
+        {"lutFile",
+         {"FILE"},
+         Guide,
+         All,
+         "read the table from FILE; goes before -lut",
+         [](Options& o, Arguments& a) { o.lutFile = a.text(); }},
+        {"monochrome",
+         {},
+         Guide,
+         All,
+         "draw in grey scale (the default without a table of colours)",
+         [](Options& o, Arguments&) { o.color = false; }},
+        {"tessellationSize",
+         {"N"},
+         Guide,
+         All,
+         "voxels along a sub-cube of voglSpaceLeap; without effect elsewhere",
+         [](Options& o, Arguments& a) { o.tessellationSize = a.integer(1, INT_MAX, "a number of voxels"); }},
+        {"output",
+         {"FILE.png"},
+         Ours,
+         Simple,
+         "draw into a picture, without a window",
+         [](Options& o, Arguments& a) { o.output = a.text(); }},
+        {"size", {"W", "H"}, Ours, Simple, "pixels of the window or picture (default 512 512)", readSize},
+        {"view",
+         {"LATITUDE", "LONGITUDE"},
+         Ours,
+         Simple,
+         "degrees the volume is turned by (default 0 0)",
+         readView},
+        {"scale", {"X", "Y", "Z"}, Ours, All, "spacing of the voxels (default 1 1 1)", readScale},
+        {"bricks",
+         {"X", "Y", "Z"},
+         Ours,
+         All,
+         "cut the volume into X x Y x Z bricks (default: as few as fit)",
+         readBricks},
+        {"overlap",
+         {"N"},
+         Ours,
+         All,
+         "voxels that adjacent bricks share (default 1)",
+         [](Options& o, Arguments& a) { o.overlap = a.integer(0, 1024, "a number of voxels"); }},
+        {"space",
+         {"object|view"},
+         Ours,
+         All,
+         "spread the sampling planes over the volume (the default) or over the view volume",
+         readSpace},
+        {"sampling",
+         {"PERIOD"},
+         Ours,
+         All,
+         "distance of the sampling planes, in units of -scale (default 1)",
+         [](Options& o, Arguments& a) { o.sampling = a.number(kSmallest, kLargest, kPositive); }},
+        {"perspective",
+         {"DEGREES"},
+         Ours,
+         All,
+         "look from a point, with this angle over the smaller side (default: orthographic)",
+         [](Options& o, Arguments& a) {
+             o.perspective = a.number(0.1, 170, "an angle from 0.1 to 170 degrees");
+         }},
+        {"frames",
+         {"N"},
+         Ours,
+         All,
+         "turn once round in N frames and print the median time of a frame",
+         [](Options& o, Arguments& a) { o.frames = a.integer(1, 1000000, "a number of frames"); }},
+        {"mip",
+         {},
+         Ours,
+         All,
+         "show the largest value along each ray",
+         [](Options& o, Arguments&) { o.mip = true; }},
+        {"wireframe",
+         {},
+         Ours,
+         All,
+         "outline the tetrahedra in yellow and the bricks in blue",
+         [](Options& o, Arguments&) { o.wireframe = true; }},
+        {"core",
+         {},
+         Ours,
+         All,
+         "ask for an OpenGL context of the core profile",
+         [](Options& o, Arguments&) { o.core = true; }},
+        {"help", {}, Ours, Simple, "print this text", [](Options& o, Arguments&) { o.help = true; }},
+        {"version",
+         {},
+         Ours,
+         Simple,
+         "print the version of the library; not abbreviable",
+         [](Options& o, Arguments&) { o.version = true; }},
+    };
+    return table;
+}
+
+bool takes(OptionSet set, const Option& option)
+{
+    return set == OptionSet::All || option.least == OptionSet::Simple;
+}
+
+/// The option that `name` (no dash) spells or abbreviates; null if there is none.
+const Option* findOption(const std::string& name, OptionSet set)
+{
+    const Option* found = nullptr;
+    for (const Option& option : optionTable()) {
+        if (!takes(set, option)) continue;
+        const std::string full = option.name;
+        if (full == name) return &option;
+        // -v is a view: nobody abbreviates a version.
+        if (name.empty() || !full.starts_with(name) || full == "version") continue;
+        const bool better =
+            !found || option.home < found->home || (option.home == found->home && full < found->name);
+        if (better) found = &option;
+    }
+    return found;
+}
+
+std::string argumentNames(const Option& option)
+{
+    std::string names;
+    for (const char* name : option.arguments)
+        names.append(names.empty() ? "" : " ").append(name);
+    return names;
+}
+
+Failure missingArguments(const Option& option, Words found)
+{
+    std::string words;
+    for (const char* word : found)
+        words.append(words.empty() ? "'" : " ").append(word);
+    return {std::string("option -") + option.name + ": expected " + argumentNames(option) + ", found " +
+            (words.empty() ? "nothing" : words + "'")};
+}
+
+} // namespace
+
+Result<Options> parseOptions(std::span<const char* const> words, OptionSet set)
+{
+    Options options;
+    bool optionsEnded = false;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string word = words[i];
+        if (optionsEnded || !word.starts_with('-')) {
+            options.files.push_back(word);
+            continue;
+        }
+        if (word == "--") {
+            optionsEnded = true;
+            continue;
+        }
+        const Option* option = findOption(word.substr(word.starts_with("--") ? 2 : 1), set);
+        if (!option) return Failure{"expected an option (-help lists them), found '" + word + "'"};
+        const std::size_t count = option->arguments.size();
+        const Words rest = words.subspan(i + 1);
+        if (rest.size() < count) return missingArguments(*option, rest);
+        Arguments arguments(option->name, rest.first(count));
+        option->read(options, arguments);
+        if (arguments.failure()) return *arguments.failure();
+        i += count;
+    }
+    return options;
+}
+
+std::string optionsHelp(OptionSet set)
+{
+    constexpr std::size_t kColumn = 28;
+    std::string text;
+    for (const Option& option : optionTable()) {
+        if (!takes(set, option)) continue;
+        std::string line = std::string("  -") + option.name + " " + argumentNames(option);
+        line.resize(std::max(line.size() + 1, kColumn), ' ');
+        for (const char* at = option.help; *at; ++at)
+            line.append(1, *at).append(*at == '\n' ? kColumn : 0, ' ');
+        text += line + "\n";
+    }
+    return text;
+}
+
+} // namespace vo

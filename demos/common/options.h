@@ -1,0 +1,80 @@
+#pragma once
+
+#include "volume_io/result.h"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The command line of the vogl programs (guide, page 159).
+namespace vo {
+
+/// Which options a program takes: voglSimple a few, all others all of them.
+enum class OptionSet { Simple, All };
+
+struct Options
+{
+    struct DataRange
+    {
+        double low;
+        double high;
+    };
+    struct Ramp
+    {
+        double center;
+        double width;
+    };
+
+    /// What is no option and no argument of one, in order.
+    std::vector<std::string> files;
+
+    // The guide's options.
+    int textureDimensions = 3;
+    /// RGBA (true) or grey scale (false); unset: as the table file suggests.
+    std::optional<bool> color;
+    /// In values of the file, low < high; unset: see -help.
+    std::optional<DataRange> dataRange;
+    /// In values of the file, width > 0.
+    std::optional<Ramp> lut;
+    std::string lutFile;
+    int tessellationSize = 8;
+
+    // Ours.
+    std::string output;
+    int width = 512;
+    int height = 512;
+    /// Degrees.
+    double latitude = 0;
+    double longitude = 0;
+    /// Spacing of the voxels along x, y, z.
+    std::array<double, 3> scale{1, 1, 1};
+    /// Bricks along x, y, z; unset: as few as textures allow.
+    std::optional<std::array<int, 3>> bricks;
+    /// Voxels that adjacent bricks share.
+    int overlap = 1;
+    bool viewSpace = false;
+    /// Distance of the sampling planes, in scaled units.
+    double sampling = 1;
+    /// Degrees of the whole angle; 0: orthographic.
+    double perspective = 0;
+    /// 0: none to time.
+    int frames = 0;
+    bool mip = false;
+    bool core = false;
+    bool wireframe = false;
+    bool help = false;
+    bool version = false;
+};
+
+/// Reads the words after the program's name. An option may be abbreviated; the guide's options come before
+/// ours, and of several that fit the first in lexicographic order is taken. An option takes its arguments by
+/// count, whatever they look like; of an option given twice the last one counts. `--` ends the options. A
+/// failure names the option, what it expects and what was found.
+Result<Options> parseOptions(std::span<const char* const> words, OptionSet set);
+
+/// The options one by one, as -help prints them.
+std::string optionsHelp(OptionSet set);
+
+} // namespace vo
