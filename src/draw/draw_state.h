@@ -1,0 +1,39 @@
+#pragma once
+
+#include "draw/context_record.h"
+#include "draw/programs.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+
+namespace vo {
+
+/// The state in which the caller wants something drawn: OpenGL's own in a compatibility context, ContextState
+/// in a core one.
+struct DrawState
+{
+    glm::dmat4 model{1.0};
+    glm::dmat4 projection{1.0};
+    glm::mat4 textureMatrix{1.0f};
+    glm::vec4 color{1.0f};
+    std::array<glm::vec4, 8> clipPlanes{};
+    int clipPlaneCount = 0; ///< highest enabled one, and 1
+    int voxelUnit = 0;      ///< texture unit in use
+    int tableUnit = 1;      ///< another one, for the table
+    Texturing texturing = Texturing::none;
+    bool oneChannel = false; ///< the bound texture answers with one channel
+    bool textureHasAlpha = true;
+    bool texgen = false;
+    std::array<glm::vec4, 3> texgenPlanes{};
+    bool replace = false;         ///< texture environment
+    bool flat = false;            ///< shade model
+    GLenum polygonMode = GL_FILL; ///< GL_FILL when front and back differ
+};
+
+DrawState readDrawState(const ContextRecord& context);
+
+/// The part that changes from brick to brick.
+void readBoundTexture(const ContextRecord& context, DrawState& state);
+
+} // namespace vo

@@ -1,0 +1,102 @@
+#include "draw/float_target.h"
+
+#include <new>
+
+namespace vo {
+
+FloatTarget::FloatTarget(ContextRecord& context, int width, int height)
+    : context_(context), width_(width), height_(height)
+{
+    const GladGLContext& gl = context_.gl;
+    GLint renderbuffer = 0, draw = 0, read = 0;
+    gl.GetIntegerv(GL_RENDERBUFFER_BINDING, &renderbuffer);
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw);
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    gl.GenRenderbuffers(1, &color_);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, color_);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, height);
+    gl.GenRenderbuffers(1, &depthStencil_);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, depthStencil_);
+    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH24_STENCIL8, width, height);
+    gl.GenFramebuffers(1, &framebuffer_);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depthStencil_);
+    const bool complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    gl.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(renderbuffer));
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw));
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    if (complete) return;
+    gl.DeleteFramebuffers(1, &framebuffer_);
+    gl.DeleteRenderbuffers(1, &color_);
+    gl.DeleteRenderbuffers(1, &depthStencil_);
+    throw std::bad_alloc();
+}
+
+FloatTarget::~FloatTarget()
+{
+    if (currentContext() != &context_) return;
+    end();
+    context_.gl.DeleteFramebuffers(1, &framebuffer_);
+    context_.gl.DeleteRenderbuffers(1, &color_);
+    context_.gl.DeleteRenderbuffers(1, &depthStencil_);
+}
+
+void FloatTarget::begin()
+{
+    if (active_) return;
+    const GladGLContext& gl = context_.gl;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &savedDraw_);
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &savedRead_);
+    gl.GetIntegerv(GL_VIEWPORT, savedViewport_);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl.Viewport(0, 0, width_, height_);
+    active_ = true;
+}
+
+void FloatTarget::end()
+{
+    if (!active_) return;
+    const GladGLContext& gl = context_.gl;
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(savedDraw_));
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(savedRead_));
+    gl.Viewport(savedViewport_[0], savedViewport_[1], savedViewport_[2], savedViewport_[3]);
+    active_ = false;
+}
+
+void FloatTarget::show(int x, int y) const
+{
+    const GladGLContext& gl = context_.gl;
+    GLint read = 0;
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    const GLboolean scissor = gl.IsEnabled(GL_SCISSOR_TEST);
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    gl.BlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    if (scissor) gl.Enable(GL_SCISSOR_TEST);
+}
+
+void FloatTarget::readPixels(float* rgba) const
+{
+    constexpr GLenum names[] = {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,   GL_PACK_ROW_LENGTH,
+                                GL_PACK_SKIP_ROWS,  GL_PACK_SKIP_PIXELS, GL_PACK_ALIGNMENT};
+    constexpr GLint plain[] = {0, 0, 0, 0, 0, 4};
+    const GladGLContext& gl = context_.gl;
+    GLint saved[6], read = 0, buffer = 0;
+    for (int i = 0; i < 6; ++i) {
+        gl.GetIntegerv(names[i], &saved[i]);
+        gl.PixelStorei(names[i], plain[i]);
+    }
+    gl.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer);
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
+    gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, rgba);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
+    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(buffer));
+    for (int i = 0; i < 6; ++i)
+        gl.PixelStorei(names[i], saved[i]);
+}
+
+} // namespace vo

@@ -1,0 +1,196 @@
+#include "draw/programs.h"
+
+#include "core/log.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace vo {
+
+namespace {
+
+// One text for both profiles, so that both give the same bytes; gl_ClipDistance works in both, with the
+// planes that glClipPlane left in eye space.
+constexpr const char* kVertexShader = R"(
+layout(location = 0) in vec3 position;
+#ifdef VERTEX_COLOR
+layout(location = 1) in vec4 vertexColor;
+#endif
+layout(location = 2) in vec3 vertexTexCoord;
+uniform mat4 clipFromObject;
+uniform mat4 eyeFromObject;
+uniform mat4 textureMatrix;
+uniform vec4 currentColor;
+uniform vec4 texgenPlanes[3];
+#if CLIP_DISTANCES > 0
+uniform vec4 clipPlanes[CLIP_DISTANCES];
+out float gl_ClipDistance[CLIP_DISTANCES];
+#endif
+INTERPOLATION out vec4 color;
+#ifdef TEXTURED
+out vec4 texCoord;
+#endif
+
+void main()
+{
+    vec4 object = vec4(position, 1.0);
+    gl_Position = clipFromObject * object;
+#ifdef VERTEX_COLOR
+    color = vertexColor;
+#else
+    color = currentColor;
+#endif
+#ifdef TEXTURED
+#ifdef TEXGEN
+    vec4 coordinate = vec4(dot(texgenPlanes[0], object), dot(texgenPlanes[1], object), dot(texgenPlanes[2], object), 1.0);
+#else
+    vec4 coordinate = vec4(vertexTexCoord, 1.0);
+#endif
+    texCoord = textureMatrix * coordinate;
+#endif
+#if CLIP_DISTANCES > 0
+    vec4 eye = eyeFromObject * object;
+    for (int i = 0; i < CLIP_DISTANCES; ++i)
+        gl_ClipDistance[i] = dot(clipPlanes[i], eye);
+#endif
+}
+)";
+
+// The table is fetched and mixed here: linear filtering of textures has 8 bits of weight on some hardware.
+constexpr const char* kFragmentShader = R"(
+INTERPOLATION in vec4 color;
+#ifdef TEXTURED
+in vec4 texCoord;
+uniform SAMPLER voxels;
+#endif
+#ifdef LOOKUP
+uniform sampler2D table;
+#endif
+layout(location = 0) out vec4 fragment;
+
+#ifdef LOOKUP
+vec4 lookup(vec4 sampled)
+{
+    int last = textureSize(table, 0).x - 1;
+    vec4 entry = clamp(sampled, 0.0, 1.0) * float(last);
+    ivec4 low = ivec4(entry);
+    ivec4 high = min(low + 1, last);
+    vec4 weight = entry - vec4(low);
+#ifdef LOOKUP_BY_RED
+    return mix(texelFetch(table, ivec2(low.r, 0), 0), texelFetch(table, ivec2(high.r, 0), 0), weight.r);
+#else
+    vec4 below = vec4(texelFetch(table, ivec2(low.r, 0), 0).r, texelFetch(table, ivec2(low.g, 0), 0).g,
+                      texelFetch(table, ivec2(low.b, 0), 0).b, texelFetch(table, ivec2(low.a, 0), 0).a);
+    vec4 above = vec4(texelFetch(table, ivec2(high.r, 0), 0).r, texelFetch(table, ivec2(high.g, 0), 0).g,
+                      texelFetch(table, ivec2(high.b, 0), 0).b, texelFetch(table, ivec2(high.a, 0), 0).a);
+    return mix(below, above, weight);
+#endif
+}
+#endif
+
+void main()
+{
+    fragment = color;
+#ifdef TEXTURED
+#ifdef PROJECTIVE
+    vec4 sampled = texture(voxels, texCoord.COORDINATES / texCoord.q);
+#else
+    vec4 sampled = texture(voxels, texCoord.COORDINATES);
+#endif
+#ifdef LOOKUP
+    sampled = lookup(sampled);
+#endif
+#if ENVIRONMENT == 0
+    fragment *= sampled;
+#elif ENVIRONMENT == 1
+    fragment = sampled;
+#else
+    fragment.rgb = sampled.rgb;
+#endif
+#endif
+}
+)";
+
+std::string preamble(const ProgramVariant& v)
+{
+    std::string text = "#version 330 core\n";
+    const auto define = [&text](const std::string& what) { text += "#define " + what + "\n"; };
+    if (v.texturing != Texturing::none) {
+        define("TEXTURED");
+        define(v.texturing == Texturing::threeDimensional ? "SAMPLER sampler3D" : "SAMPLER sampler2D");
+        define(v.texturing == Texturing::threeDimensional ? "COORDINATES stp" : "COORDINATES st");
+        if (v.texgen) define("TEXGEN");
+        if (v.projectiveTexture) define("PROJECTIVE");
+        define("ENVIRONMENT " + std::to_string(static_cast<int>(v.environment)));
+        if (v.lookup != Lookup::none) define("LOOKUP");
+        if (v.lookup == Lookup::byRed) define("LOOKUP_BY_RED");
+    }
+    if (v.vertexColor) define("VERTEX_COLOR");
+    define(v.flat ? "INTERPOLATION flat" : "INTERPOLATION");
+    define("CLIP_DISTANCES " + std::to_string(v.clipDistances));
+    return text;
+}
+
+GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& head, const char* body)
+{
+    const GLuint shader = gl.CreateShader(stage);
+    const char* parts[] = {head.c_str(), body};
+    gl.ShaderSource(shader, 2, parts, nullptr);
+    gl.CompileShader(shader);
+    GLint compiled = GL_FALSE;
+    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        char text[1024] = "";
+        gl.GetShaderInfoLog(shader, sizeof text, nullptr, text);
+        gl.DeleteShader(shader);
+        throw std::runtime_error(std::string("the driver does not compile a shader of the library: ") + text);
+    }
+    return shader;
+}
+
+Program link(const GladGLContext& gl, const ProgramVariant& variant)
+{
+    const std::string head = preamble(variant);
+    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, head, kVertexShader);
+    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, head, kFragmentShader);
+    Program program;
+    program.name = gl.CreateProgram();
+    gl.AttachShader(program.name, vertex);
+    gl.AttachShader(program.name, fragment);
+    gl.LinkProgram(program.name);
+    gl.DeleteShader(vertex);
+    gl.DeleteShader(fragment);
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
+    if (!linked) throw std::runtime_error("the driver does not link a program of the library");
+    const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name, name); };
+    program.clipFromObject = find("clipFromObject");
+    program.eyeFromObject = find("eyeFromObject");
+    program.textureMatrix = find("textureMatrix");
+    program.currentColor = find("currentColor");
+    program.texgenPlanes = find("texgenPlanes");
+    program.clipPlanes = find("clipPlanes");
+    program.voxels = find("voxels");
+    program.table = find("table");
+    return program;
+}
+
+} // namespace
+
+unsigned ProgramVariant::key() const
+{
+    return static_cast<unsigned>(texturing) | static_cast<unsigned>(texgen) << 2 |
+           static_cast<unsigned>(projectiveTexture) << 3 | static_cast<unsigned>(vertexColor) << 4 |
+           static_cast<unsigned>(flat) << 5 | static_cast<unsigned>(environment) << 6 |
+           static_cast<unsigned>(lookup) << 8 | static_cast<unsigned>(clipDistances) << 10;
+}
+
+const Program& programFor(ContextRecord& context, const ProgramVariant& variant)
+{
+    const auto found = context.programs.find(variant.key());
+    if (found != context.programs.end()) return found->second;
+    debug(2, "compiling a program for drawing");
+    return context.programs.emplace(variant.key(), link(context.gl, variant)).first->second;
+}
+
+} // namespace vo

@@ -1,0 +1,69 @@
+#include "draw/scoped_state.h"
+
+#include <iterator>
+
+namespace vo {
+
+namespace {
+
+constexpr GLenum kUnpackNames[] = {GL_UNPACK_SWAP_BYTES,   GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH,
+                                   GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+                                   GL_UNPACK_SKIP_IMAGES,  GL_UNPACK_ALIGNMENT};
+constexpr GLint kUnpackPlain[] = {0, 0, 0, 0, 0, 0, 0, 1};
+
+} // namespace
+
+ScopedUploadState::ScopedUploadState(const GladGLContext& gl, bool core) : gl_(gl), core_(core)
+{
+    for (std::size_t i = 0; i < std::size(kUnpackNames); ++i) {
+        gl_.GetIntegerv(kUnpackNames[i], &store_[i]);
+        gl_.PixelStorei(kUnpackNames[i], kUnpackPlain[i]);
+    }
+    gl_.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    if (core_) return;
+    gl_.PushAttrib(GL_PIXEL_MODE_BIT);
+    for (const GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
+        gl_.PixelTransferf(scale, 1.0f);
+    for (const GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
+        gl_.PixelTransferf(bias, 0.0f);
+    gl_.PixelTransferi(GL_MAP_COLOR, GL_FALSE);
+}
+
+ScopedUploadState::~ScopedUploadState()
+{
+    if (!core_) gl_.PopAttrib();
+    gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
+    for (std::size_t i = 0; i < std::size(kUnpackNames); ++i)
+        gl_.PixelStorei(kUnpackNames[i], store_[i]);
+}
+
+ScopedDrawState::ScopedDrawState(const GladGLContext& gl, int voxelUnit, int tableUnit)
+    : gl_(gl), voxelUnit_(voxelUnit), tableUnit_(tableUnit)
+{
+    gl_.GetIntegerv(GL_CURRENT_PROGRAM, &program_);
+    gl_.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertexArray_);
+    gl_.GetIntegerv(GL_ARRAY_BUFFER_BINDING, &arrayBuffer_);
+    gl_.GetIntegerv(GL_ACTIVE_TEXTURE, &activeTexture_);
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(voxelUnit_));
+    gl_.GetIntegerv(GL_SAMPLER_BINDING, &voxelSampler_);
+    gl_.BindSampler(static_cast<GLuint>(voxelUnit_), 0);
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(tableUnit_));
+    gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &tableTexture_);
+    gl_.GetIntegerv(GL_SAMPLER_BINDING, &tableSampler_);
+    gl_.BindSampler(static_cast<GLuint>(tableUnit_), 0);
+}
+
+ScopedDrawState::~ScopedDrawState()
+{
+    gl_.BindSampler(static_cast<GLuint>(tableUnit_), static_cast<GLuint>(tableSampler_));
+    gl_.BindSampler(static_cast<GLuint>(voxelUnit_), static_cast<GLuint>(voxelSampler_));
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(tableUnit_));
+    gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(tableTexture_));
+    gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));
+    gl_.BindVertexArray(static_cast<GLuint>(vertexArray_));
+    gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(arrayBuffer_));
+    gl_.UseProgram(static_cast<GLuint>(program_));
+}
+
+} // namespace vo

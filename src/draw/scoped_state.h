@@ -1,0 +1,48 @@
+#pragma once
+
+#include "draw/context_record.h"
+
+namespace vo {
+
+/// The caller's state that uploads touch, given back at the end of the scope: pixel store, pixel-unpack
+/// buffer, and, in compatibility contexts, pixel transfer, which would change voxels on their way.
+class ScopedUploadState
+{
+public:
+    explicit ScopedUploadState(const GladGLContext& gl, bool core);
+    ~ScopedUploadState();
+    ScopedUploadState(const ScopedUploadState&) = delete;
+    ScopedUploadState& operator=(const ScopedUploadState&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    bool core_;
+    GLint store_[8];
+    GLint buffer_ = 0;
+};
+
+/// The caller's state that draws touch: program, vertex array, array buffer, active texture unit, the texture
+/// of the unit that carries the table, and the samplers of both units.
+class ScopedDrawState
+{
+public:
+    /// `voxelUnit` and `tableUnit` are numbers from 0.
+    ScopedDrawState(const GladGLContext& gl, int voxelUnit, int tableUnit);
+    ~ScopedDrawState();
+    ScopedDrawState(const ScopedDrawState&) = delete;
+    ScopedDrawState& operator=(const ScopedDrawState&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    int voxelUnit_;
+    int tableUnit_;
+    GLint program_ = 0;
+    GLint vertexArray_ = 0;
+    GLint arrayBuffer_ = 0;
+    GLint activeTexture_ = 0;
+    GLint tableTexture_ = 0;
+    GLint voxelSampler_ = 0;
+    GLint tableSampler_ = 0;
+};
+
+} // namespace vo

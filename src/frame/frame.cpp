@@ -1,0 +1,146 @@
+#include "frame/frame.h"
+
+#include "core/log.h"
+#include "draw/draw_faces.h"
+#include "draw/draw_state.h"
+#include "sort/brick_order.h"
+
+#include <string>
+
+namespace vo {
+
+namespace {
+
+const glm::vec4 kTetraColor(1.0f, 1.0f, 0.0f, 1.0f);
+const glm::vec4 kBrickColor(0.0f, 0.0f, 1.0f, 1.0f);
+
+glm::mat4 voxelToTexture(const FrameBrick& brick)
+{
+    const TexgenPlanes planes =
+        texgenPlanes(brick.origin, brick.size, brick.image.twoDimensional, brick.thinAxis);
+    glm::mat4 matrix(0.0f);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 4; ++column)
+            matrix[column][row] = planes.rows[row][column];
+    matrix[3][3] = 1.0f;
+    return matrix;
+}
+
+void drawOutlines(ContextRecord& context, const FrameRequest& request, DrawState state)
+{
+    std::vector<float> positions;
+    if (request.outlineTetras) {
+        appendTetraEdges(request.tetras, positions);
+        state.color = kTetraColor;
+        drawSegments(context, state, positions);
+    }
+    if (request.outlineBricks) {
+        positions.clear();
+        for (const FrameBrick& brick : request.bricks)
+            appendBoxEdges(brick.origin, brick.size, positions);
+        state.color = kBrickColor;
+        drawSegments(context, state, positions);
+    }
+}
+
+/// The state for one brick: its texture, and where its voxels lie in it.
+void pointAtBrick(const ContextRecord& context, const FrameBrick& brick, const RecordLayout& layout,
+                  const glm::mat4& callerTextureMatrix, DrawState& state)
+{
+    state.texturing = brick.image.twoDimensional ? Texturing::twoDimensional : Texturing::threeDimensional;
+    const ResidentTexture& texture = context.textures.at(brick.image.id);
+    state.oneChannel = texture.oneChannel;
+    state.textureHasAlpha = texture.hasAlpha;
+    state.texgen = layout.texCoord < 0;
+    if (!state.texgen) {
+        state.textureMatrix = callerTextureMatrix * voxelToTexture(brick);
+        return;
+    }
+    const TexgenPlanes planes =
+        texgenPlanes(brick.origin, brick.size, brick.image.twoDimensional, brick.thinAxis);
+    for (std::size_t i = 0; i < 3; ++i)
+        state.texgenPlanes[i] = planes.rows[i];
+}
+
+FrameResult toFrameResult(TextureResult result)
+{
+    switch (result) {
+    case TextureResult::ok: return FrameResult::ok;
+    case TextureResult::tooLarge: return FrameResult::textureTooLarge;
+    case TextureResult::outOfMemory: return FrameResult::outOfMemory;
+    case TextureResult::noVoxels: return FrameResult::noVoxels;
+    }
+    return FrameResult::ok;
+}
+
+FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const PolygonCache& cache,
+                       std::span<const int> order, DrawState state)
+{
+    const glm::mat4 callerTextureMatrix = state.textureMatrix;
+    FaceStream stream(context, state, request.layout, cache.records(), cache.indices());
+    for (const int number : order) {
+        const auto brick = static_cast<std::size_t>(number);
+        const std::size_t first = cache.brickStarts()[brick];
+        const std::size_t count = cache.brickStarts()[brick + 1] - first;
+        if (count == 0) continue;
+        const TextureResult bound = bindTexture(context, request.bricks[brick].image, false);
+        if (bound != TextureResult::ok) return toFrameResult(bound);
+        pointAtBrick(context, request.bricks[brick], request.layout, callerTextureMatrix, state);
+        stream.draw(state, first, count);
+    }
+    return FrameResult::ok;
+}
+
+} // namespace
+
+FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, PolygonCache& cache)
+{
+    const DrawState state = readDrawState(context);
+    const std::optional<Camera> camera = findCamera(state.model, state.projection);
+    if (!camera) return FrameResult::singularMatrices;
+    if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
+
+    const bool anew =
+        cache.update({request.tetras, request.clipBoxes, *camera, request.sampling}, request.threshold);
+    if (debugLevel() >= 2)
+        debug(2, std::string("frame: ") + (anew ? "new" : "kept") + " polygons, " +
+                     std::to_string(cache.samples()) + " samples, drawn as slices");
+
+    const GladGLContext& gl = context.gl;
+    GLint bound3d = 0, bound2d = 0;
+    gl.GetIntegerv(GL_TEXTURE_BINDING_3D, &bound3d);
+    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d);
+    const FrameResult result =
+        drawBricks(context, request, cache, backToFront(request.clipBoxes, *camera), state);
+    gl.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(bound3d));
+    gl.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d));
+    return result;
+}
+
+void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        for (int corner = 0; corner < 4; ++corner) {
+            glm::vec3 start = origin;
+            if (corner & 1) start[(axis + 1) % 3] += size[(axis + 1) % 3];
+            if (corner & 2) start[(axis + 2) % 3] += size[(axis + 2) % 3];
+            glm::vec3 end = start;
+            end[axis] += size[axis];
+            for (const glm::vec3& p : {start, end})
+                positions.insert(positions.end(), {p.x, p.y, p.z});
+        }
+}
+
+void appendTetraEdges(const TetraView& tetras, std::vector<float>& positions)
+{
+    for (int tetra = 0; tetra < tetras.tetraCount(); ++tetra)
+        for (int a = 0; a < 4; ++a)
+            for (int b = a + 1; b < 4; ++b)
+                for (const int corner : {a, b}) {
+                    const glm::vec3 p(
+                        tetras.position(tetras.indices[static_cast<std::size_t>(4 * tetra + corner)]));
+                    positions.insert(positions.end(), {p.x, p.y, p.z});
+                }
+}
+
+} // namespace vo

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/record_layout.h"
+#include "draw/brick_texture.h"
+#include "draw/context_record.h"
+#include "frame/polygon_cache.h"
+
+#include <span>
+
+namespace vo {
+
+/// One brick of a frame.
+struct FrameBrick
+{
+    TextureImage image;
+    glm::vec3 origin{0.0f};
+    glm::vec3 size{1.0f};
+    int thinAxis = -1; ///< of a two-dimensional brick
+};
+
+struct FrameRequest
+{
+    TetraView tetras;
+    RecordLayout layout; ///< texCoord >= 0: voxel coordinates; else the position is the voxel coordinate
+    std::span<const Box> clipBoxes;
+    std::span<const FrameBrick> bricks;
+    SamplingRequest sampling;
+    double threshold = 0.0; ///< degrees, see PolygonCache
+    bool outlineBricks = false;
+    bool outlineTetras = false;
+};
+
+enum class FrameResult { ok, singularMatrices, textureTooLarge, outOfMemory, noVoxels };
+
+/// Draws a volume in the state of the context: polygons (from the cache while they are current), bricks back
+/// to front, each with its texture. The caller's texture bindings and all else are given back.
+FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, PolygonCache& cache);
+
+/// Corners of the twelve edges of a box: 24 positions, 72 floats.
+void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions);
+
+/// The six edges of each tetrahedron: 12 positions, 36 floats.
+void appendTetraEdges(const TetraView& tetras, std::vector<float>& positions);
+
+} // namespace vo

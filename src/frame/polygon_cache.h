@@ -1,0 +1,72 @@
+#pragma once
+
+#include "core/box.h"
+#include "geometry/tetra_view.h"
+#include "polygonize/camera.h"
+#include "polygonize/polygonize.h"
+#include "polygonize/sampling_planes.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vo {
+
+/// What the polygons of a frame depend on.
+struct PolygonRequest
+{
+    TetraView tetras;
+    std::span<const Box> clipBoxes;
+    Camera camera;
+    SamplingRequest sampling;
+};
+
+/// The polygons of a frame as triangles, brick after brick, in each brick from the farthest sample to the
+/// nearest. Kept from frame to frame while what they depend on stays the same.
+class PolygonCache
+{
+public:
+    /// Makes the polygons anew unless the request is the last one again; its camera may have turned by up to
+    /// `threshold` degrees. Returns true when they were made anew.
+    bool update(const PolygonRequest& request, double threshold);
+    void invalidate() { valid_ = false; }
+
+    std::span<const float> records() const { return records_; }
+    std::span<const std::uint32_t> indices() const { return indices_; }
+    /// Where the indices of a brick begin; brick count + 1 of them.
+    std::span<const std::size_t> brickStarts() const { return brickStarts_; }
+    int samples() const { return samples_; }
+
+private:
+    struct Polygon
+    {
+        int brick;
+        int sample;
+        std::uint32_t first;
+        std::uint32_t count;
+    };
+    class Collector;
+
+    bool isCurrent(const PolygonRequest& request, double threshold) const;
+    void remember(const PolygonRequest& request);
+    void sortIntoBins(std::size_t brickCount, int samples);
+
+    bool valid_ = false;
+    int valuesPerVertex_ = 0;
+    std::vector<float> keyRecords_;
+    std::vector<int> keyIndices_;
+    std::vector<Box> keyBoxes_;
+    Camera keyCamera_;
+    SamplingRequest keySampling_;
+
+    PolygonizeWorkspace workspace_;
+    std::vector<float> records_;
+    std::vector<Polygon> polygons_;
+    std::vector<std::uint32_t> order_;
+    std::vector<std::size_t> binStarts_;
+    std::vector<std::uint32_t> indices_;
+    std::vector<std::size_t> brickStarts_;
+    int samples_ = 0;
+};
+
+} // namespace vo

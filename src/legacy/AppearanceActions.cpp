@@ -1,0 +1,494 @@
+#include "legacy/inside.h"
+
+#include "legacy/enums.h"
+#include "legacy/report.h"
+
+#include <vo/AppearanceActions.h>
+#include <vo/GeometryActions.h>
+
+#include "appearance/convert_voxels.h"
+#include "appearance/transposed_stacks.h"
+#include "core/log.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+using vo::badValue;
+using vo::guarded;
+using vo::required;
+
+namespace {
+
+constexpr int kLimitWithoutContext = 2048;
+/// Channels of the richest disk format, which the storage of a brick has room for.
+constexpr voExternalFormatType kWidestFormat = voExternalFormatTypeScope::RGBA;
+
+vo::VoxelFormat formatOf(const voTexture3D& texture)
+{
+    return {vo::channels(texture.getExternalFormat()), vo::voxelType(texture.getDataType())};
+}
+
+std::size_t voxelCount(const voTexture3D& texture)
+{
+    int x = 1, y = 1, z = 1;
+    texture.getSizes(x, y, z);
+    return vo::VoxelSize{x, y, z}.count();
+}
+
+std::span<std::byte> requiredVoxels(const voTexture3D& texture)
+{
+    const voInside::Texture& d = voInside::of(texture);
+    const std::span<std::byte> voxels = d.source->voxels(d.slot);
+    if (voxels.empty()) badValue("the texture has no voxels; dataAlloc or setDataPtr gives it some");
+    return voxels;
+}
+
+void touch(voTexture3D& texture)
+{
+    ++voInside::of(texture).version;
+}
+
+void allocate(voTexture3D& texture)
+{
+    voInside::Texture& d = voInside::of(texture);
+    const vo::VoxelFormat widest{vo::channels(kWidestFormat), vo::voxelType(d.dataType)};
+    const std::size_t perVoxel = std::max(vo::voxelBytes(widest), vo::voxelBytes(formatOf(texture)));
+    const std::size_t voxels = voxelCount(texture);
+    if (voxels > PTRDIFF_MAX / perVoxel || !d.source->allocate(d.slot, voxels * perVoxel))
+        throw std::bad_alloc();
+    touch(texture);
+}
+
+void release(voTexture3D& texture)
+{
+    voInside::Texture& d = voInside::of(texture);
+    d.source->release(d.slot);
+}
+
+int textureLimit()
+{
+    const vo::ContextRecord* context = vo::currentContext();
+    return context && context->usable() ? context->max3dSize : kLimitWithoutContext;
+}
+
+struct BestFormats
+{
+    voInternalFormatType internalFormat;
+    voExternalFormatType externalFormat;
+};
+
+BestFormats bestFormats(voExternalFormatType disk, bool color)
+{
+    using External = voExternalFormatTypeScope;
+    using Internal = voInternalFormatTypeScope;
+    switch (vo::channels(disk)) {
+    case vo::Channels::intensity:
+    case vo::Channels::luminance: return {Internal::INTENSITY8_EXT, External::LUMINANCE};
+    case vo::Channels::luminanceAlpha: return {Internal::LUMINANCE8_ALPHA8_EXT, External::LUMINANCE_ALPHA};
+    case vo::Channels::rgba:
+    case vo::Channels::abgr: break;
+    }
+    if (color) return {Internal::RGBA8_EXT, disk};
+    return {Internal::LUMINANCE8_ALPHA8_EXT, External::LUMINANCE_ALPHA};
+}
+
+void bind(voTexture3D& texture, bool always)
+{
+    vo::ContextRecord& context = vo::requireContext();
+    switch (vo::bindTexture(context, vo::textureImage(texture), always)) {
+    case vo::TextureResult::ok: return;
+    case vo::TextureResult::tooLarge: {
+        int x, y, z;
+        texture.getSizes(x, y, z);
+        badValue("a texture of " + std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z) +
+                 " is larger than OpenGL takes here (" + std::to_string(context.max3dSize) + ")");
+    }
+    case vo::TextureResult::outOfMemory: throw std::bad_alloc();
+    case vo::TextureResult::noVoxels:
+        badValue("the texture has no voxels; dataAlloc or setDataPtr gives it some");
+    }
+}
+
+/// Binds every brick of the current set once and gives the caller's bindings back.
+void makeResident(voBrickSetCollection& volume)
+{
+    vo::ContextRecord& context = vo::requireContext();
+    GLint bound3d = 0, bound2d = 0;
+    context.gl.GetIntegerv(GL_TEXTURE_BINDING_3D, &bound3d);
+    context.gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d);
+    voBrickSetIterator bricks(volume.getCurrentBrickSet());
+    for (voBrick* brick; (brick = bricks());)
+        if (brick->getDataPtr()) bind(*brick, false);
+    context.gl.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(bound3d));
+    context.gl.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d));
+}
+
+std::vector<vo::BrickVoxels> bricksOf(voBrickSet& set)
+{
+    const std::size_t bytes = vo::voxelBytes(formatOf(*set.getBrick(0)));
+    std::vector<vo::BrickVoxels> bricks;
+    for (int i = 0; i < set.getBrickCount(); ++i) {
+        voBrick& brick = *set.getBrick(i);
+        vo::BrickVoxels b;
+        brick.getBrickSizes(b.extent.origin.x, b.extent.origin.y, b.extent.origin.z, b.extent.size.x,
+                            b.extent.size.y, b.extent.size.z);
+        const voInside::Texture& d = voInside::of(brick);
+        const std::span<std::byte> voxels = d.source->voxels(d.slot);
+        const std::size_t needed = b.extent.size.count() * bytes;
+        if (voxels.size() >= needed) b.voxels = voxels.first(needed);
+        bricks.push_back(b);
+    }
+    return bricks;
+}
+
+GLenum targetOf(voInterpolationType type)
+{
+    return vo::resolveInterpolation(type) == voInterpolationTypeScope::_2D ? GL_TEXTURE_2D : GL_TEXTURE_3D;
+}
+
+void setTexgen(vo::ContextRecord& context, bool enabled)
+{
+    if (context.core) {
+        context.state.texgen = enabled;
+        return;
+    }
+    const GladGLContext& gl = context.gl;
+    for (const GLenum coordinate : {GL_S, GL_T, GL_R})
+        gl.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
+    for (const GLenum generation : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R})
+        enabled ? gl.Enable(generation) : gl.Disable(generation);
+}
+
+vo::TexgenPlanes planesOf(const voBrick& brick)
+{
+    const voInside::Texture& d = voInside::of(brick);
+    return vo::texgenPlanes({d.origin[0], d.origin[1], d.origin[2]}, {d.extent[0], d.extent[1], d.extent[2]},
+                            d.inStack, vo::thinAxis(d.orientation));
+}
+
+vo::RecordLayout layoutWithTexCoord(const voIndexedFaceSet& faceSet, voInterleavedArrayType format)
+{
+    const int values = faceSet.getVertexData()->getValuesPerVertex();
+    const vo::RecordLayout layout = vo::recordLayout(format, values);
+    if (layout.texCoord < 0) badValue("the vertex format has no voxel coordinates (T3F)");
+    if (layout.values != values)
+        badValue("the vertex format has " + std::to_string(layout.values) +
+                 " values a record, the face set " + std::to_string(values));
+    return layout;
+}
+
+/// Voxel to texture coordinates of each vertex that the face set uses; `done` marks vertices of shared data.
+void transformTexCoords(const voBrick& brick, voIndexedFaceSet& faceSet, const vo::RecordLayout& layout,
+                        std::vector<bool>& done)
+{
+    const vo::TexgenPlanes planes = planesOf(brick);
+    voVertexData& vertices = *faceSet.getVertexData();
+    const voIndices& indices = *faceSet.getIndices();
+    done.resize(static_cast<std::size_t>(vertices.getCount()), false);
+    const int* entries = indices.getDataPtr();
+    for (int i = 0; i < indices.getCount(); i += entries[i] + 1)
+        for (int corner = 1; corner <= entries[i]; ++corner) {
+            const auto vertex = static_cast<std::size_t>(entries[i + corner]);
+            if (vertex >= done.size() || done[vertex]) continue;
+            done[vertex] = true;
+            float* t =
+                vertices.getDataPtr() + vertex * static_cast<std::size_t>(layout.values) + layout.texCoord;
+            const glm::vec4 voxel(t[0], t[1], t[2], 1.0f);
+            for (int row = 0; row < 3; ++row)
+                t[row] = glm::dot(planes.rows[row], voxel);
+        }
+}
+
+} // namespace
+
+int voAppearanceActions::getBestParameters(const voInterpolationType& interpolationType,
+                                           voRenderingMode renderingMode, voDataType dataType,
+                                           voExternalFormatType diskDataFormat,
+                                           voInternalFormatType& internalFormat,
+                                           voExternalFormatType& externalFormat, int& xBrickSize,
+                                           int& yBrickSize, int& zBrickSize)
+{
+    voInterpolationType resolved = interpolationType;
+    return getBestParameters(resolved, renderingMode, dataType, diskDataFormat, internalFormat,
+                             externalFormat, xBrickSize, yBrickSize, zBrickSize);
+}
+
+int voAppearanceActions::getBestParameters(voInterpolationType& interpolationType,
+                                           voRenderingMode renderingMode, voDataType dataType,
+                                           voExternalFormatType diskDataFormat,
+                                           voInternalFormatType& internalFormat,
+                                           voExternalFormatType& externalFormat, int& xBrickSize,
+                                           int& yBrickSize, int& zBrickSize)
+{
+    return guarded("voAppearanceActions::getBestParameters", [&] {
+        const voInterpolationType resolved = vo::resolveInterpolation(interpolationType);
+        vo::resolveDataType(dataType);
+        const int mode = renderingMode;
+        if (mode < -1 || mode > voRenderingModeScope::COLOR)
+            vo::badEnum("voRenderingMode has no value " + std::to_string(mode));
+        const BestFormats best =
+            bestFormats(vo::resolveExternalFormat(diskDataFormat), mode == voRenderingModeScope::COLOR);
+        for (const int size : {xBrickSize, yBrickSize, zBrickSize})
+            if (size < 1) badValue("a brick size of " + std::to_string(size) + ", 1 or more is needed");
+        const int limit = textureLimit();
+        interpolationType = resolved;
+        internalFormat = best.internalFormat;
+        externalFormat = best.externalFormat;
+        for (int* size : {&xBrickSize, &yBrickSize, &zBrickSize})
+            *size = std::min(*size, limit);
+    });
+}
+
+void* voAppearanceActions::dataAlloc(voTexture3D* texture)
+{
+    void* data = nullptr;
+    guarded("voAppearanceActions::dataAlloc", [&] {
+        allocate(required(texture, "texture"));
+        data = texture->getDataPtr();
+    });
+    return data;
+}
+
+void* voAppearanceActions::dataAlloc(voBrickSet* brickSet)
+{
+    void* data = nullptr;
+    guarded("voAppearanceActions::dataAlloc", [&] {
+        voBrickSetIterator bricks(&required(brickSet, "brickSet"));
+        for (voBrick* brick; (brick = bricks());)
+            allocate(*brick);
+        data = brickSet->getBrick(0)->getDataPtr();
+    });
+    return data;
+}
+
+void voAppearanceActions::dataFree(voTexture3D* texture)
+{
+    guarded("voAppearanceActions::dataFree", [&] { release(required(texture, "texture")); });
+}
+
+void voAppearanceActions::dataFree(voBrickSet* brickSet)
+{
+    guarded("voAppearanceActions::dataFree", [&] {
+        voBrickSetIterator bricks(&required(brickSet, "brickSet"));
+        for (voBrick* brick; (brick = bricks());)
+            release(*brick);
+    });
+}
+
+int voAppearanceActions::dataScaleRange(voTexture3D* texture, float& loValue, float& hiValue)
+{
+    return dataScaleRange(texture, static_cast<double>(loValue), static_cast<double>(hiValue));
+}
+
+int voAppearanceActions::dataScaleRange(voTexture3D* texture, double loValue, double hiValue)
+{
+    return guarded("voAppearanceActions::dataScaleRange", [&] {
+        voTexture3D& t = required(texture, "texture");
+        if (!(hiValue > loValue)) return;
+        const vo::VoxelFormat format = formatOf(t);
+        if (vo::isPacked(format.type)) vo::unsupported("packed voxels have no range to scale");
+        const std::span<std::byte> voxels = requiredVoxels(t);
+        vo::stretchRange(voxels.first(std::min(voxels.size(), t.getDataSize())), format, loValue, hiValue);
+        touch(t);
+    });
+}
+
+int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voExternalFormatType diskFormat)
+{
+    return guarded("voAppearanceActions::dataConvert", [&] {
+        voTexture3D& t = required(texture, "texture");
+        const vo::VoxelFormat target = formatOf(t);
+        const vo::VoxelFormat source{vo::channels(vo::resolveExternalFormat(diskFormat)), target.type};
+        if (!data) badValue("data is NULL");
+        if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+        vo::convertVoxels(static_cast<const std::byte*>(data), source, requiredVoxels(t).data(), target,
+                          voxelCount(t));
+        touch(t);
+    });
+}
+
+int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voDataType diskType)
+{
+    return guarded("voAppearanceActions::dataConvert", [&] {
+        voTexture3D& t = required(texture, "texture");
+        const vo::VoxelFormat target = formatOf(t);
+        const vo::VoxelFormat source{target.channels, vo::voxelType(vo::resolveDataType(diskType))};
+        if (!data) badValue("data is NULL");
+        if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+        const std::span<std::byte> storage = requiredVoxels(t);
+        const bool inPlace = data == storage.data();
+        if (inPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
+            badValue("the texture's storage is too small for voxels of that type");
+        vo::convertVoxels(static_cast<const std::byte*>(data), source, storage.data(), target, voxelCount(t));
+        touch(t);
+    });
+}
+
+int voAppearanceActions::volumeMakeTransposed(voBrickSetCollection* volume)
+{
+    return guarded("voAppearanceActions::volumeMakeTransposed", [&] {
+        voBrickSetCollection& v = required(volume, "volume");
+        if (v.getInterpolationType() != voInterpolationTypeScope::_2D) return;
+        const vo::VoxelSize size = voInside::of(*v.getBrickSet(0)).volume;
+        const std::vector<vo::BrickVoxels> sources = bricksOf(*v.getBrickSet(0));
+        const std::size_t bytes = vo::voxelBytes(formatOf(*v.getBrickSet(0)->getBrick(0)));
+        for (int stack = 1; stack < v.getBrickSetCount(); ++stack) {
+            voBrickSet& set = *v.getBrickSet(stack);
+            voBrickSetIterator bricks(&set);
+            for (voBrick* brick; (brick = bricks()); touch(*brick))
+                if (!brick->getDataPtr()) allocate(*brick);
+            const std::vector<vo::BrickVoxels> targets = bricksOf(set);
+            vo::fillFromBricks(sources, targets, bytes, size);
+        }
+    });
+}
+
+int voAppearanceActions::volumeOptimize(voBrickSetCollection* volume, int flags)
+{
+    return guarded("voAppearanceActions::volumeOptimize", [&] {
+        voBrickSetCollection& v = required(volume, "volume");
+        using Flags = voOptimizeVolumeTypeScope;
+        constexpr int kAll = int{Flags::BEST_PERFORMANCE} | int{Flags::PRE_TRANSPOSE};
+        if (flags & ~kAll) vo::badEnum("voOptimizeVolumeType has no flags " + std::to_string(flags));
+        const bool textures = flags & voOptimizeVolumeTypeScope::TEXTURE_OBJECTS;
+        if (textures && vo::currentContext()) makeResident(v);
+    });
+}
+
+int voAppearanceActions::volumeUnoptimize(voBrickSetCollection* volume)
+{
+    return guarded("voAppearanceActions::volumeUnoptimize", [&] {
+        voBrickSetCollectionIterator sets(&required(volume, "volume"));
+        for (voBrickSet* set; (set = sets());) {
+            voBrickSetIterator bricks(set);
+            for (voBrick* brick; (brick = bricks());)
+                vo::forgetTexture(voInside::of(*brick).id);
+        }
+    });
+}
+
+int voAppearanceActions::textureInterleave(voTexture3D*, voTexture3D*)
+{
+    return guarded("voAppearanceActions::textureInterleave",
+                   [] { vo::unsupported("interleaving is not there yet"); });
+}
+
+voBool voAppearanceActions::cliqueTest(voTexture3D*, voTexture3D*)
+{
+    return VO_FALSE;
+}
+
+void voAppearanceActions::textureEnable(voInterpolationType interpolationType)
+{
+    guarded("voAppearanceActions::textureEnable", [&] {
+        const GLenum target = targetOf(interpolationType);
+        vo::ContextRecord& context = vo::requireContext();
+        if (context.core)
+            context.state.enabledTarget = target;
+        else
+            context.gl.Enable(target);
+    });
+}
+
+void voAppearanceActions::textureDisable(voInterpolationType interpolationType)
+{
+    guarded("voAppearanceActions::textureDisable", [&] {
+        const GLenum target = targetOf(interpolationType);
+        vo::ContextRecord& context = vo::requireContext();
+        if (!context.core)
+            context.gl.Disable(target);
+        else if (context.state.enabledTarget == target)
+            context.state.enabledTarget = 0;
+    });
+}
+
+void voAppearanceActions::texgenEnable()
+{
+    guarded("voAppearanceActions::texgenEnable", [] { setTexgen(vo::requireContext(), true); });
+}
+
+void voAppearanceActions::texgenDisable()
+{
+    guarded("voAppearanceActions::texgenDisable", [] { setTexgen(vo::requireContext(), false); });
+}
+
+void voAppearanceActions::texgenSetEquation(voBrick* brick)
+{
+    guarded("voAppearanceActions::texgenSetEquation", [&] {
+        const vo::TexgenPlanes planes = planesOf(required(brick, "brick"));
+        vo::ContextRecord& context = vo::requireContext();
+        constexpr GLenum coordinates[] = {GL_S, GL_T, GL_R};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (context.core)
+                context.state.texgenPlanes[i] = planes.rows[i];
+            else
+                context.gl.TexGenfv(coordinates[i], GL_OBJECT_PLANE, &planes.rows[i][0]);
+    });
+}
+
+int voAppearanceActions::textureBind(voTexture3D* texture)
+{
+    return guarded("voAppearanceActions::textureBind", [&] { bind(required(texture, "texture"), false); });
+}
+
+int voAppearanceActions::textureLoad(voTexture3D* texture)
+{
+    return guarded("voAppearanceActions::textureLoad", [&] { bind(required(texture, "texture"), true); });
+}
+
+void voAppearanceActions::textureMakeMatrix(voBrick*, float* matrix)
+{
+    guarded("voAppearanceActions::textureMakeMatrix", [&] {
+        for (int i = 0; matrix && i < 16; ++i)
+            matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
+        vo::unsupported("texture matrices are not there yet; xfmVox2TexCoords and texgenSetEquation are");
+    });
+}
+
+void voAppearanceActions::xfmVox2TexCoords(voBrick* brick, voIndexedFaceSet* faceSet,
+                                           voInterleavedArrayType format, voPlaneOrientation)
+{
+    guarded("voAppearanceActions::xfmVox2TexCoords", [&] {
+        std::vector<bool> done;
+        const vo::RecordLayout layout = layoutWithTexCoord(required(faceSet, "faceSet"), format);
+        transformTexCoords(required(brick, "brick"), *faceSet, layout, done);
+    });
+}
+
+void voAppearanceActions::xfmVox2TexCoords(voBrickSet* brickSet, int samplesNumber,
+                                           voIndexedFaceSet*** polygonSet, voInterleavedArrayType format)
+{
+    guarded("voAppearanceActions::xfmVox2TexCoords", [&] {
+        voBrickSet& set = required(brickSet, "brickSet");
+        if (!polygonSet) badValue("polygonSet is NULL");
+        std::vector<bool> done;
+        const voVertexData* marked = nullptr;
+        for (int b = 0; b < set.getBrickCount(); ++b)
+            for (int s = 0; s < samplesNumber; ++s) {
+                voIndexedFaceSet& faces = *polygonSet[b][s];
+                const vo::RecordLayout layout = layoutWithTexCoord(faces, format);
+                // Face sets share vertex data or own theirs; no vertex belongs to two bricks.
+                if (marked != faces.getVertexData()) done.clear();
+                marked = faces.getVertexData();
+                transformTexCoords(*set.getBrick(b), faces, layout, done);
+            }
+    });
+}
+
+int voAppearanceActions::clip(voVertexData* polygon, voInterleavedArrayType format, float lowerLeft[3],
+                              float upperRight[3], voIndexedFaceSet* faceSet)
+{
+    return voGeometryActions::clip(polygon, format, lowerLeft, upperRight, faceSet);
+}
+
+int voAppearanceActions::clip(voVertexData* polygon, voInterleavedArrayType format, float* planes,
+                              int planeCount, voIndexedFaceSet* faceSet)
+{
+    return voGeometryActions::clip(polygon, format, planes, planeCount, faceSet);
+}
+
+int voAppearanceActions::sample(float tetraVerts[4][3], float planeEquation[4], voVertexData* polygonVerts)
+{
+    return voGeometryActions::sample(tetraVerts, planeEquation, polygonVerts);
+}

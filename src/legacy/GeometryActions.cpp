@@ -1,0 +1,641 @@
+#include "legacy/inside.h"
+
+#include "legacy/enums.h"
+#include "legacy/report.h"
+
+#include "draw/draw_faces.h"
+#include "draw/draw_state.h"
+#include "frame/frame.h"
+#include "polygonize/clip_polygon.h"
+#include "polygonize/slice_tetra.h"
+#include "sort/brick_order.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using vo::badValue;
+using vo::guarded;
+using vo::required;
+
+namespace {
+
+vo::Camera cameraOf(const GLdouble* model, const GLdouble* projection)
+{
+    if (!model || !projection) badValue("a matrix is NULL");
+    const std::optional<vo::Camera> camera =
+        vo::findCamera(glm::make_mat4(model), glm::make_mat4(projection));
+    if (!camera) badValue("the matrices are singular");
+    return *camera;
+}
+
+/// Hands polygons to the face sets of the caller.
+class FaceSetSink final : public vo::FaceSink
+{
+public:
+    FaceSetSink(voIndexedFaceSet*** sets, int values) : sets_(sets), values_(values) {}
+
+    bool append(int brick, int sample, std::span<const float> records) override
+    {
+        voIndexedFaceSet& faces = *sets_[brick][sample];
+        const int count = static_cast<int>(records.size()) / values_;
+        const voVertexData& vertices = *faces.getVertexData();
+        const bool shared = !voInside::of(faces).ownVertices;
+        if (shared && vertices.getCount() + count > vertices.getCountMax()) return false;
+        // appendPoly copies; it does not write to what it is given.
+        faces.appendPoly(const_cast<float*>(records.data()), count);
+        return true;
+    }
+
+private:
+    voIndexedFaceSet*** sets_;
+    int values_;
+};
+
+/// Empties all face sets and the vertex data that they share, and checks that they fit the tetrahedra.
+void resetFaceSets(voIndexedFaceSet*** sets, int bricks, int samples, int values)
+{
+    if (!sets) badValue("polygonSet is NULL");
+    for (int b = 0; b < bricks; ++b) {
+        if (!sets[b]) badValue("polygonSet[" + std::to_string(b) + "] is NULL");
+        for (int s = 0; s < samples; ++s) {
+            if (!sets[b][s])
+                badValue("polygonSet[" + std::to_string(b) + "][" + std::to_string(s) + "] is NULL");
+            voIndexedFaceSet& faces = *sets[b][s];
+            if (faces.getVertexData()->getValuesPerVertex() != values)
+                badValue("face sets of " + std::to_string(faces.getVertexData()->getValuesPerVertex()) +
+                         " values a record, the tetrahedra have " + std::to_string(values));
+            faces.empty();
+            faces.getVertexData()->empty();
+        }
+    }
+}
+
+vo::SamplingRequest samplingRequest(int mode, int space, const float* period, int maxSamples,
+                                    voPlaneOrientation orientation)
+{
+    vo::SamplingRequest request;
+    request.mode = vo::samplingMode(mode);
+    request.space = vo::samplingSpace(space);
+    if (maxSamples < 1) badValue("at most " + std::to_string(maxSamples) + " samples, 1 or more are needed");
+    request.maxSamples = maxSamples;
+    request.stackAxis = vo::thinAxis(orientation);
+    if (!period) return request;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(period[axis] > 0) || !std::isfinite(period[axis]))
+            badValue("samplingPeriod[" + std::to_string(axis) + "] is " + std::to_string(period[axis]) +
+                     ", more than 0 is needed");
+    request.period = glm::dvec3(period[0], period[1], period[2]);
+    return request;
+}
+
+vo::PolygonizeWorkspace& workspace()
+{
+    thread_local vo::PolygonizeWorkspace instance;
+    return instance;
+}
+
+/// The formats that draw knows, checked against the records at hand.
+vo::RecordLayout drawLayout(int format, int values)
+{
+    if (format == voInterleavedArrayTypeScope::USER_V3F)
+        vo::unsupported("USER_V3F records are drawn by the application");
+    const vo::RecordLayout layout = vo::recordLayout(format, values);
+    if (layout.values != values)
+        badValue("the vertex format has " + std::to_string(layout.values) + " values a record, the set has " +
+                 std::to_string(values));
+    return layout;
+}
+
+/// The mode of the call, while it lasts.
+class ScopedPolygonMode
+{
+public:
+    ScopedPolygonMode(vo::ContextRecord& context, GLenum mode) : context_(context)
+    {
+        context_.gl.GetIntegerv(GL_POLYGON_MODE, saved_);
+        context_.gl.PolygonMode(GL_FRONT_AND_BACK, mode);
+    }
+    ~ScopedPolygonMode()
+    {
+        const auto front = static_cast<GLenum>(saved_[0]), back = static_cast<GLenum>(saved_[1]);
+        if (context_.core || front == back) {
+            context_.gl.PolygonMode(GL_FRONT_AND_BACK, front);
+            return;
+        }
+        context_.gl.PolygonMode(GL_FRONT, front);
+        context_.gl.PolygonMode(GL_BACK, back);
+    }
+    ScopedPolygonMode(const ScopedPolygonMode&) = delete;
+    ScopedPolygonMode& operator=(const ScopedPolygonMode&) = delete;
+
+private:
+    vo::ContextRecord& context_;
+    GLint saved_[2] = {GL_FILL, GL_FILL};
+};
+
+void checkMode(GLenum mode)
+{
+    if (mode != GL_FILL && mode != GL_LINE && mode != GL_POINT)
+        vo::badEnum("the mode is none of GL_FILL, GL_LINE, GL_POINT");
+}
+
+/// The vertices that the polygons use, renumbered from 0, so that small sets of large shared data are sent
+/// alone.
+void gather(const voIndexedFaceSet& faceSet, int values, vo::FaceBatch& batch)
+{
+    const voVertexData& vertices = *faceSet.getVertexData();
+    const voIndices& indices = *faceSet.getIndices();
+    batch.clear();
+    const std::span<const int> entries(indices.getDataPtr(), static_cast<std::size_t>(indices.getCount()));
+    for (std::size_t i = 0; i < entries.size();) {
+        const int count = entries[i];
+        if (count < 0 || entries.size() - i - 1 < static_cast<std::size_t>(count))
+            badValue("the indices are no groups of a count and that many vertices");
+        batch.polygons.push_back(count);
+        for (const int vertex : entries.subspan(i + 1, static_cast<std::size_t>(count))) {
+            if (vertex < 0 || vertex >= vertices.getCount())
+                badValue("vertex " + std::to_string(vertex) + " is outside 0 to " +
+                         std::to_string(vertices.getCount() - 1));
+            batch.polygons.push_back(static_cast<int>(batch.records.size()) / values);
+            const float* record =
+                vertices.getDataPtr() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(values);
+            batch.records.insert(batch.records.end(), record, record + values);
+        }
+        i += static_cast<std::size_t>(count) + 1;
+    }
+}
+
+void drawFaceSet(voIndexedFaceSet& faceSet, const GLenum* mode, int format)
+{
+    thread_local vo::FaceBatch batch;
+    const vo::RecordLayout layout = drawLayout(format, faceSet.getVertexData()->getValuesPerVertex());
+    if (faceSet.getIndices()->getCount() == 0) return;
+    vo::ContextRecord& context = vo::requireContext();
+    gather(faceSet, layout.values, batch);
+    const vo::DrawState state = vo::readDrawState(context);
+    vo::drawFaces(context, state, layout, batch.records, batch.polygons, mode ? *mode : state.polygonMode);
+}
+
+void drawTetraSet(voIndexedTetraSet& tetraSet, const GLenum* mode, int format)
+{
+    const vo::RecordLayout layout = drawLayout(format, tetraSet.getVertexData()->getValuesPerVertex());
+    const vo::TetraView view = vo::tetraView(tetraSet);
+    vo::ContextRecord& context = vo::requireContext();
+    std::vector<int> polygons;
+    constexpr int kFaces[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    for (std::size_t tetra = 0; tetra + 3 < view.indices.size(); tetra += 4)
+        for (const auto& face : kFaces) {
+            polygons.push_back(3);
+            for (const int corner : face)
+                polygons.push_back(view.indices[tetra + static_cast<std::size_t>(corner)]);
+        }
+    const vo::DrawState state = vo::readDrawState(context);
+    vo::drawFaces(context, state, layout, view.records, polygons, mode ? *mode : state.polygonMode);
+}
+
+void drawOutlines(std::span<voBrick* const> bricks)
+{
+    vo::ContextRecord& context = vo::requireContext();
+    std::vector<float> positions;
+    for (const voBrick* brick : bricks) {
+        float origin[3], size[3];
+        brick->getBrickSizes(origin, size);
+        vo::appendBoxEdges(glm::make_vec3(origin), glm::make_vec3(size), positions);
+    }
+    vo::drawSegments(context, vo::readDrawState(context), positions);
+}
+
+/// A caller's polygon as the clipping stage takes it.
+vo::CutPolygon cutPolygon(const voVertexData& polygon)
+{
+    const int values = polygon.getValuesPerVertex();
+    if (values < 3) badValue("records of " + std::to_string(values) + " values have no position");
+    vo::CutPolygon cut;
+    cut.clear(values);
+    std::vector<double> record(static_cast<std::size_t>(values));
+    for (int i = 0; i < polygon.getCount(); ++i) {
+        std::copy_n(polygon[i], values, record.begin());
+        cut.push(record.data());
+    }
+    return cut;
+}
+
+void appendCut(const vo::CutPolygon& cut, voIndexedFaceSet& faceSet)
+{
+    if (faceSet.getVertexData()->getValuesPerVertex() != cut.values)
+        badValue("the face set has " + std::to_string(faceSet.getVertexData()->getValuesPerVertex()) +
+                 " values a record, the polygon " + std::to_string(cut.values));
+    if (cut.count < 3) return;
+    std::vector<float> records;
+    for (int i = 0; i < cut.count; ++i)
+        for (int v = 0; v < cut.values; ++v)
+            records.push_back(static_cast<float>(cut.record(i)[v]));
+    faceSet.appendPoly(records.data(), cut.count);
+}
+
+void checkFormat(const voVertexData& polygon, int format)
+{
+    const int values = polygon.getValuesPerVertex();
+    const int needed = vo::recordLayout(format, values).values;
+    if (needed > values)
+        badValue("the vertex format has " + std::to_string(needed) + " values a record, the polygon " +
+                 std::to_string(values));
+}
+
+std::vector<vo::FrameBrick> frameBricks(const voBrickSet& set)
+{
+    std::vector<vo::FrameBrick> bricks;
+    for (int i = 0; i < set.getBrickCount(); ++i) {
+        const voBrick& brick = *set.getBrick(i);
+        vo::FrameBrick b;
+        b.image = vo::textureImage(brick);
+        brick.getBrickSizes(&b.origin[0], &b.size[0]);
+        b.thinAxis = vo::thinAxis(set.getOrientation());
+        bricks.push_back(b);
+    }
+    return bricks;
+}
+
+/// As many samples as the finest period can ask for along the diagonal of the tetrahedra, without a cache to
+/// say.
+int defaultMaxSamples(const voBrickSet& set)
+{
+    int x, y, z;
+    set.getVolumeSizes(x, y, z);
+    return static_cast<int>(std::min<long long>(2LL * std::max({x, y, z}), INT_MAX));
+}
+
+void throwOnFailure(vo::FrameResult result)
+{
+    switch (result) {
+    case vo::FrameResult::ok: return;
+    case vo::FrameResult::singularMatrices: badValue("the matrices are singular");
+    case vo::FrameResult::textureTooLarge: badValue("a brick is larger than a texture of OpenGL can be here");
+    case vo::FrameResult::outOfMemory: throw std::bad_alloc();
+    case vo::FrameResult::noVoxels: badValue("a brick has no voxels; dataAlloc or setDataPtr gives it some");
+    }
+}
+
+voPlaneOrientation stackAcross(int axis)
+{
+    return axis == 0   ? voPlaneOrientationScope::YZ
+           : axis == 1 ? voPlaneOrientationScope::XZ
+                       : voPlaneOrientationScope::XY;
+}
+
+} // namespace
+
+int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brickSet, voInterleavedArrayType,
+                                  GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                                  voSamplingMode samplingMode, voSamplingSpace samplingSpace,
+                                  float samplingPeriod[3], int maxSamplesNumber, int& samplesNumber,
+                                  voIndexedFaceSet*** polygonSet)
+{
+    samplesNumber = 0;
+    return guarded("voGeometryActions::polygonize", [&] {
+        const vo::TetraView tetras = vo::tetraView(required(tetraSet, "tetraSet"));
+        const voBrickSet& set = required(brickSet, "brickSet");
+        const vo::SamplingRequest sampling = samplingRequest(samplingMode, samplingSpace, samplingPeriod,
+                                                             maxSamplesNumber, set.getOrientation());
+        const vo::Camera camera = cameraOf(modelMatrix, projMatrix);
+        resetFaceSets(polygonSet, set.getBrickCount(), maxSamplesNumber, tetras.valuesPerVertex);
+        thread_local std::vector<vo::Box> boxes;
+        vo::clipBoxes(set, boxes);
+        FaceSetSink sink(polygonSet, tetras.valuesPerVertex);
+        const vo::PolygonizeResult result =
+            vo::polygonize(tetras, boxes, camera, sampling, workspace(), sink);
+        samplesNumber = result.samples;
+        if (!result.complete)
+            throw vo::CallerError{voErrorTypeScope::OUT_OF_MEMORY,
+                                  "the vertex data that the face sets share is full; the rest is missing"};
+    });
+}
+
+int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brickSet, GLdouble modelMatrix[16],
+                                  GLdouble projMatrix[16], voSamplingMode samplingMode,
+                                  voSamplingSpace samplingSpace, int& samplesNumber, float samplingPeriod[3],
+                                  voIndexedFaceSet*** polygonSet)
+{
+    const int maxSamples = samplesNumber;
+    return polygonize(tetraSet, brickSet, voInterleavedArrayTypeScope::DEFAULT, modelMatrix, projMatrix,
+                      samplingMode, samplingSpace, samplingPeriod, maxSamples, samplesNumber, polygonSet);
+}
+
+int voGeometryActions::polygonizeMPR(float*, voBrickSet*, voIndexedFaceSet***, voInterleavedArrayType)
+{
+    return guarded("voGeometryActions::polygonizeMPR",
+                   [] { vo::unsupported("reformatting is not there yet"); });
+}
+
+int voGeometryActions::polygonizeMPR(voVertexData*, voBrickSet*, voIndexedFaceSet***, voInterleavedArrayType)
+{
+    return guarded("voGeometryActions::polygonizeMPR",
+                   [] { vo::unsupported("reformatting is not there yet"); });
+}
+
+int voGeometryActions::sample(float tetraVerts[4][3], float planeEquation[4], voVertexData* polygonVerts)
+{
+    return guarded("voGeometryActions::sample", [&] {
+        voVertexData& polygon = required(polygonVerts, "polygonVerts");
+        if (!tetraVerts || !planeEquation) badValue("tetraVerts or planeEquation is NULL");
+        const int values = polygon.getValuesPerVertex();
+        if (values < 3 || polygon.getCountMax() < 4)
+            badValue("polygonVerts needs room for 4 records of 3 or more values");
+        double vertices[4][3], distances[4];
+        const double* records[4];
+        for (int i = 0; i < 4; ++i) {
+            distances[i] = planeEquation[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                vertices[i][axis] = tetraVerts[i][axis];
+                distances[i] += static_cast<double>(planeEquation[axis]) * vertices[i][axis];
+            }
+            records[i] = vertices[i];
+        }
+        vo::CutPolygon cut;
+        vo::sliceTetra(records, distances, 3, cut);
+        polygon.empty();
+        for (int i = 0; i < cut.count; ++i) {
+            float* record = polygon[i];
+            for (int axis = 0; axis < 3; ++axis)
+                record[values - 3 + axis] = static_cast<float>(cut.record(i)[axis]);
+        }
+        polygon.setCount(cut.count);
+    });
+}
+
+int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format, float lowerLeft[3],
+                            float upperRight[3], voIndexedFaceSet* faceSet)
+{
+    return guarded("voGeometryActions::clip", [&] {
+        checkFormat(required(polygon, "polygon"), format);
+        voIndexedFaceSet& faces = required(faceSet, "faceSet");
+        if (!lowerLeft || !upperRight) badValue("lowerLeft or upperRight is NULL");
+        const vo::Box box{glm::make_vec3(lowerLeft), glm::make_vec3(upperRight)};
+        vo::CutPolygon scratch, out;
+        vo::clipToBox(cutPolygon(*polygon), box, scratch, out);
+        appendCut(out, faces);
+    });
+}
+
+int voGeometryActions::clip(voVertexData* polygon, float lowerLeft[3], float upperRight[3],
+                            voIndexedFaceSet* faceSet)
+{
+    return clip(polygon, voInterleavedArrayTypeScope::DEFAULT, lowerLeft, upperRight, faceSet);
+}
+
+int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format, float* planes,
+                            int planeCount, voIndexedFaceSet* faceSet)
+{
+    return guarded("voGeometryActions::clip", [&] {
+        checkFormat(required(polygon, "polygon"), format);
+        voIndexedFaceSet& faces = required(faceSet, "faceSet");
+        if (planeCount < 0 || (planeCount > 0 && !planes)) badValue("planes is NULL or planeCount negative");
+        vo::CutPolygon cut = cutPolygon(*polygon), out;
+        for (int i = 0; i < planeCount && cut.count >= 3; ++i) {
+            vo::clipToHalfSpace(cut, glm::dvec4(glm::make_vec4(planes + 4 * i)), out);
+            std::swap(cut, out);
+        }
+        appendCut(cut, faces);
+    });
+}
+
+void voGeometryActions::draw(voIndexedFaceSet* faceSet, voInterleavedArrayType format)
+{
+    guarded("voGeometryActions::draw", [&] { drawFaceSet(required(faceSet, "faceSet"), nullptr, format); });
+}
+
+void voGeometryActions::draw(voIndexedFaceSet* faceSet, GLenum mode, voInterleavedArrayType format)
+{
+    guarded("voGeometryActions::draw", [&] {
+        checkMode(mode);
+        voIndexedFaceSet& faces = required(faceSet, "faceSet");
+        const ScopedPolygonMode scope(vo::requireContext(), mode);
+        drawFaceSet(faces, &mode, format);
+    });
+}
+
+void voGeometryActions::draw(voIndexedTetraSet* tetraSet, voInterleavedArrayType format)
+{
+    guarded("voGeometryActions::draw",
+            [&] { drawTetraSet(required(tetraSet, "tetraSet"), nullptr, format); });
+}
+
+void voGeometryActions::draw(voIndexedTetraSet* tetraSet, GLenum mode, voInterleavedArrayType format)
+{
+    guarded("voGeometryActions::draw", [&] {
+        checkMode(mode);
+        voIndexedTetraSet& tetras = required(tetraSet, "tetraSet");
+        const ScopedPolygonMode scope(vo::requireContext(), mode);
+        drawTetraSet(tetras, &mode, format);
+    });
+}
+
+void voGeometryActions::draw(voBrick* brick)
+{
+    guarded("voGeometryActions::draw", [&] {
+        voBrick* const bricks[] = {&required(brick, "brick")};
+        drawOutlines(bricks);
+    });
+}
+
+void voGeometryActions::draw(voBrickSet* brickSet)
+{
+    guarded("voGeometryActions::draw", [&] {
+        std::vector<voBrick*> bricks;
+        voBrickSetIterator next(&required(brickSet, "brickSet"));
+        for (voBrick* brick; (brick = next());)
+            bricks.push_back(brick);
+        drawOutlines(bricks);
+    });
+}
+
+int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArrayType format,
+                                   voBrickSetCollection* aVolume, voDrawActionCache* cache,
+                                   voSamplingSpace samplingSpace, float samplingPeriod[3],
+                                   voDecorationFlags decorations)
+{
+    return guarded("voGeometryActions::drawUtility", [&] {
+        voIndexedTetraSet& tetras = required(tetraSet, "tetraSet");
+        voBrickSetCollection& volume = required(aVolume, "volume");
+        if (static_cast<int>(decorations) & ~voDecorationFlagsScope::ALL)
+            vo::badEnum("voDecorationFlags has no value " + std::to_string(decorations));
+        vo::ContextRecord& context = vo::requireContext();
+        thread_local vo::PolygonCache ownPolygons;
+        voInside::DrawCache* kept = cache ? &voInside::of(*cache) : nullptr;
+
+        const bool stacks = volume.getInterpolationType() == voInterpolationTypeScope::_2D;
+        if (stacks) {
+            const vo::DrawState state = vo::readDrawState(context);
+            const std::optional<vo::Camera> camera = vo::findCamera(state.model, state.projection);
+            if (!camera) badValue("the matrices are singular");
+            volume.setCurrentBrickSet(stackAcross(vo::closestAxis(*camera)));
+        }
+        const voBrickSet& set = *volume.getCurrentBrickSet();
+        const voSamplingMode mode = stacks ? voSamplingModeScope::AXIS_ALIGNED
+                                    : kept ? kept->samplingMode
+                                           : voSamplingModeScope::VIEWPORT_ALIGNED;
+        thread_local std::vector<vo::Box> boxes;
+        vo::clipBoxes(set, boxes);
+        const std::vector<vo::FrameBrick> bricks = frameBricks(set);
+        vo::FrameRequest request;
+        request.tetras = vo::tetraView(tetras);
+        request.layout = drawLayout(format, request.tetras.valuesPerVertex);
+        request.clipBoxes = boxes;
+        request.bricks = bricks;
+        request.sampling =
+            samplingRequest(mode, samplingSpace, samplingPeriod,
+                            kept ? kept->maxSamples : defaultMaxSamples(set), set.getOrientation());
+        request.threshold = kept ? kept->threshold : 0.0;
+        request.outlineBricks = decorations & voDecorationFlagsScope::BRICKS;
+        request.outlineTetras = decorations & voDecorationFlagsScope::TETRAS;
+        throwOnFailure(vo::drawFrame(context, request, kept ? kept->polygons : ownPolygons));
+    });
+}
+
+voBool voGeometryActions::pick(int*, int*, voIndexedTetraSet*, voBrickSet*, voInterleavedArrayType, GLdouble*,
+                               GLdouble*, float*, voBool, voVertexData*, void*)
+{
+    guarded("voGeometryActions::pick", [] { vo::unsupported("picking is not there yet"); });
+    return VO_FALSE;
+}
+
+voBool voGeometryActions::pick(int*, int*, voIndexedTetraSet*, voBrick*, voInterleavedArrayType, GLdouble*,
+                               GLdouble*, float*, voBool, voVertexData*, void*)
+{
+    guarded("voGeometryActions::pick", [] { vo::unsupported("picking is not there yet"); });
+    return VO_FALSE;
+}
+
+voPlaneOrientation voGeometryActions::findClosestAxisIndex(GLdouble modelMatrix[16], GLdouble projMatrix[16],
+                                                           int samplingMode)
+{
+    voPlaneOrientation orientation = voPlaneOrientationScope::UNSPECIFIED;
+    guarded("voGeometryActions::findClosestAxisIndex", [&] {
+        if (samplingMode < -1 || samplingMode > voSamplingModeScope::SPHERICAL)
+            vo::badEnum("voSamplingMode has no value " + std::to_string(samplingMode));
+        if (samplingMode != voSamplingModeScope::AXIS_ALIGNED) return;
+        orientation = stackAcross(vo::closestAxis(cameraOf(modelMatrix, projMatrix)));
+    });
+    return orientation;
+}
+
+void voGeometryActions::findCameraPosition(double eyePos[3], double viewDir[4], GLdouble modelMatrix[16],
+                                           GLdouble projMatrix[16])
+{
+    guarded("voGeometryActions::findCameraPosition", [&] {
+        const vo::Camera camera = cameraOf(modelMatrix, projMatrix);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (viewDir) viewDir[axis] = camera.direction[axis];
+            if (eyePos && camera.perspective) eyePos[axis] = camera.eye[axis];
+        }
+        if (viewDir) viewDir[3] = camera.perspective ? 1.0 : 0.0;
+    });
+}
+
+void voGeometryActions::findViewDirection(double viewDir[3], GLdouble modelMatrix[16],
+                                          GLdouble projMatrix[16])
+{
+    const int failed = guarded("voGeometryActions::findViewDirection", [&] {
+        if (!viewDir) badValue("viewDir is NULL");
+        const vo::Camera camera = cameraOf(modelMatrix, projMatrix);
+        for (int axis = 0; axis < 3; ++axis)
+            viewDir[axis] = camera.direction[axis];
+    });
+    if (!failed || !viewDir) return;
+    viewDir[0] = viewDir[1] = 0.0;
+    viewDir[2] = 1.0;
+}
+
+float voGeometryActions::findProjectedArea(voIndexedFaceSet*, GLdouble*, GLdouble*, GLint*)
+{
+    guarded("voGeometryActions::findProjectedArea",
+            [] { vo::unsupported("projected areas are not there yet"); });
+    return 0.0f;
+}
+
+struct voSortAction::Private
+{
+    std::vector<int> order;
+};
+
+voSortAction::voSortAction(voBrickSet* brickSet, GLdouble modelMatrix[16], GLdouble projMatrix[16])
+    : d(new Private)
+{
+    guarded("voSortAction", [&] {
+        const voBrickSet& set = required(brickSet, "brickSet");
+        for (int i = 0; i < set.getBrickCount(); ++i)
+            d->order.push_back(i);
+        std::vector<vo::Box> boxes;
+        vo::clipBoxes(set, boxes);
+        d->order = vo::backToFront(boxes, cameraOf(modelMatrix, projMatrix));
+    });
+}
+
+voSortAction::~voSortAction()
+{
+    delete d;
+}
+
+int voSortAction::operator[](int brickNo) const
+{
+    int brick = 0;
+    guarded("voSortAction", [&] {
+        if (brickNo < 0 || static_cast<std::size_t>(brickNo) >= d->order.size())
+            badValue("number " + std::to_string(brickNo) + " is outside 0 to " +
+                     std::to_string(static_cast<long long>(d->order.size()) - 1));
+        brick = d->order[static_cast<std::size_t>(brickNo)];
+    });
+    return brick;
+}
+
+voCache::voCache() = default;
+voCache::~voCache() = default;
+
+voDrawActionCache::voDrawActionCache(voIndexedTetraSet*, voBrickSetCollection*, int maxSamplesNumber,
+                                     voSamplingMode samplingMode, int, int)
+    : d(new Private)
+{
+    guarded("voDrawActionCache", [&] {
+        vo::samplingMode(samplingMode);
+        d->samplingMode = samplingMode;
+        if (maxSamplesNumber < 1)
+            badValue("at most " + std::to_string(maxSamplesNumber) + " samples, 1 or more are needed");
+        d->maxSamples = maxSamplesNumber;
+    });
+}
+
+voDrawActionCache::~voDrawActionCache()
+{
+    delete d;
+}
+
+void voDrawActionCache::setThreshold(double degrees)
+{
+    guarded("voDrawActionCache::setThreshold", [&] {
+        if (!(degrees >= 0))
+            badValue("the threshold is " + std::to_string(degrees) + ", 0 or more degrees are needed");
+        d->threshold = degrees;
+    });
+}
+
+void voDrawActionCache::invalidate()
+{
+    d->polygons.invalidate();
+}
+
+voPlaneOrientation findClosestAxisIndex(GLdouble modelMatrix[16], GLdouble projMatrix[16], int samplingMode)
+{
+    return voGeometryActions::findClosestAxisIndex(modelMatrix, projMatrix, samplingMode);
+}
+
+int sample(float tetraVerts[4][3], float planeEquation[4], voVertexData* polygonVerts)
+{
+    return voGeometryActions::sample(tetraVerts, planeEquation, polygonVerts);
+}
+
+int clip(voVertexData* polygon, float lowerLeft[3], float upperRight[3], voIndexedFaceSet* faceSet)
+{
+    return voGeometryActions::clip(polygon, lowerLeft, upperRight, faceSet);
+}

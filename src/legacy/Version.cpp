@@ -1,0 +1,6 @@
+#include <vo/Api.h>
+
+const char* voVersion()
+{
+    return "Volumizer " VOLUMIZER_VERSION;
+}
