@@ -17,7 +17,7 @@ pack() {
     [[ ! -e $folder ]] || rm -r "$folder"
     build
     mkdir -p "$folder/loader"
-    cp build/gpu/tests/* build/gpu/lib/libvo.so.? tests/gpu.sh "$folder"
+    cp build/gpu/tests/print_renderer build/gpu/tests/*_gl_test build/gpu/lib/libvo.so.? tests/gpu.sh "$folder"
     strip --strip-unneeded "$folder"/*_gl_test "$folder"/libvo.so.?
     copy_libraries "$folder"
     local size
