@@ -59,30 +59,18 @@ struct ReadCounters
     std::int64_t bytes = 0;
 };
 
-/// What each file format implements; see VolumeFile for the contract.
-class VolumeReader
-{
-public:
-    virtual ~VolumeReader() = default;
-    /// `inside` lies inside the volume and is not empty. Fills those voxels of `out` that belong to it; `out`
-    /// spans `whole`, x fastest, and starts zeroed.
-    virtual Result<void> read(const Region& inside, const Region& whole, std::span<std::byte> out) = 0;
-
-    const VolumeInfo& info() const { return info_; }
-    const ReadCounters& counters() const { return counters_; }
-
-protected:
-    VolumeInfo info_;
-    ReadCounters counters_;
-};
+class VolumeReader;
 
 /// An open volume. Stays open until destroyed. One thread at a time may use it.
 class VolumeFile
 {
 public:
-    explicit VolumeFile(std::unique_ptr<VolumeReader> reader) : reader_(std::move(reader)) {}
+    explicit VolumeFile(std::unique_ptr<VolumeReader> reader);
+    VolumeFile(VolumeFile&&) noexcept;
+    VolumeFile& operator=(VolumeFile&&) noexcept;
+    ~VolumeFile();
 
-    const VolumeInfo& info() const { return reader_->info(); }
+    const VolumeInfo& info() const;
 
     /// Reads the voxels of `region` into `out`, x fastest, zero outside the volume. `out` has exactly
     /// size x * size y * size z * bytesPerVoxel() bytes. Slices and rows that the region does not need are
@@ -90,7 +78,7 @@ public:
     /// useful values.
     Result<void> readBrick(const Region& region, std::span<std::byte> out);
 
-    const ReadCounters& counters() const { return reader_->counters(); }
+    const ReadCounters& counters() const;
 
 private:
     std::unique_ptr<VolumeReader> reader_;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "volume_io.h"
+
+namespace vo {
+
+/// Memory of a brick, addressed by voxels of the volume.
+class BrickView
+{
+public:
+    BrickView(const Region& region, int bytesPerVoxel, std::span<std::byte> bytes)
+        : region_(region), bytesPerVoxel_(bytesPerVoxel), bytes_(bytes.data())
+    {
+    }
+
+    /// Where the voxel (x, y, z) of the volume lies.
+    std::byte* voxel(std::int64_t x, std::int64_t y, std::int64_t z) const
+    {
+        const std::int64_t row = (z - region_.origin[2]) * region_.size[1] + (y - region_.origin[1]);
+        return bytes_ + (row * region_.size[0] + (x - region_.origin[0])) * bytesPerVoxel_;
+    }
+    std::int64_t width() const { return region_.size[0]; }
+
+private:
+    Region region_;
+    std::int64_t bytesPerVoxel_;
+    std::byte* bytes_;
+};
+
+/// What each file format implements.
+class VolumeReader
+{
+public:
+    virtual ~VolumeReader() = default;
+
+    /// Fills those voxels of `brick` that belong to `inside`, which lies inside volume and brick and is not
+    /// empty.
+    virtual Result<void> read(const Region& inside, const BrickView& brick) = 0;
+
+    const VolumeInfo& info() const { return info_; }
+    const ReadCounters& counters() const { return counters_; }
+
+protected:
+    VolumeInfo info_;
+    ReadCounters counters_;
+};
+
+/// Opens page stacks and SGI's 3D TIFF. The file is known to begin like a TIFF.
+Result<VolumeFile> openTiffVolume(const std::string& path);
+
+/// Sizes for messages: "64 x 32 x 16".
+std::string sizeText(const std::array<std::int64_t, 3>& size);
+
+} // namespace vo
