@@ -1,0 +1,132 @@
+// mkcubes x y z cubeSize [file.tif]: writes a test volume of cubes (guide, pages 148 and 159).
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "volume_io/volume_io.h"
+
+namespace {
+
+constexpr const char* kHelp =
+    R"(mkcubes x y z cubeSize [file.tif]
+
+Writes a test volume of x by y by z voxels, one byte each, filled with cubes of
+cubeSize voxels a side that touch each other. Intensity falls linearly from 255
+at a cube's centre to 0 on its surface. The file is a TIFF with one page for
+each slice; without a name it is out.tif.
+
+Example: 8 cubes of 128 voxels a side
+    mkcubes 256 256 256 128 cubes.tif
+)";
+
+volatile std::sig_atomic_t interrupted = 0;
+
+struct Request
+{
+    std::array<std::int64_t, 3> size{};
+    std::int64_t cubeSize = 0;
+    std::string path = "out.tif";
+};
+
+bool isHelp(const char* argument)
+{
+    return std::strcmp(argument, "-help") == 0 || std::strcmp(argument, "--help") == 0;
+}
+
+vo::Result<std::int64_t> parsedSize(const char* name, const std::string& text)
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= 1 && value <= 0x7fffffff)
+        return value;
+    return vo::Failure{std::string(name) + ": expected a whole number from 1 to 2147483647, found \"" + text +
+                       "\""};
+}
+
+vo::Result<Request> parsedRequest(const std::vector<std::string>& arguments)
+{
+    if (arguments.size() < 4 || arguments.size() > 5)
+        return vo::Failure{"expected x y z cubeSize [file.tif], found " + std::to_string(arguments.size()) +
+                           " arguments; mkcubes --help shows an example"};
+    Request request;
+    const std::array names{"x", "y", "z", "cubeSize"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto value = parsedSize(names[i], arguments[i]);
+        if (!value) return value.failure();
+        (i < 3 ? request.size[i] : request.cubeSize) = *value;
+    }
+    if (arguments.size() == 5) request.path = arguments[4];
+    return request;
+}
+
+/// Intensity that the position along one axis allows: 255 (1 - |2 t - 1|) rounded half up, where t in (0,1)
+/// is the voxel's centre within its cube. A voxel's intensity is the least of its three, so that it depends
+/// on the distance to the cube's centre along the axis where that is largest.
+std::uint8_t intensityAlongAxis(std::int64_t position, std::int64_t cubeSize)
+{
+    const std::int64_t fromCentre = std::abs(2 * (position % cubeSize) + 1 - cubeSize); // in half voxels
+    return static_cast<std::uint8_t>((2 * 255 * (cubeSize - fromCentre) + cubeSize) / (2 * cubeSize));
+}
+
+void showProgress(std::int64_t slice, std::int64_t slices)
+{
+    if (!::isatty(STDERR_FILENO)) return;
+    std::fprintf(stderr, "\rmkcubes: slice %lld of %lld%s", static_cast<long long>(slice),
+                 static_cast<long long>(slices), slice == slices ? "\n" : "");
+}
+
+vo::Result<void> writeCubes(const Request& request)
+{
+    auto writer = vo::TiffStackWriter::create(request.path, {request.size, 1, vo::ChannelType::uint8});
+    if (!writer) return writer.failure();
+    std::vector<std::uint8_t> alongX(static_cast<std::size_t>(request.size[0]));
+    for (std::size_t x = 0; x < alongX.size(); ++x)
+        alongX[x] = intensityAlongAxis(static_cast<std::int64_t>(x), request.cubeSize);
+
+    std::vector<std::uint8_t> row(alongX.size());
+    for (std::int64_t z = 0; z < request.size[2]; ++z) {
+        for (std::int64_t y = 0; y < request.size[1]; ++y) {
+            if (interrupted) return vo::Failure{request.path + ": interrupted, nothing written"};
+            const std::uint8_t most =
+                std::min(intensityAlongAxis(y, request.cubeSize), intensityAlongAxis(z, request.cubeSize));
+            std::ranges::transform(alongX, row.begin(),
+                                   [most](std::uint8_t along) { return std::min(along, most); });
+            if (auto written = writer->appendRows(std::as_bytes(std::span(row))); !written) return written;
+        }
+        showProgress(z + 1, request.size[2]);
+    }
+    return writer->finish();
+}
+
+int fail(const std::string& text)
+{
+    std::fprintf(stderr, "mkcubes: %s\n", text.c_str());
+    return 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+    if (std::any_of(argv + 1, argv + argc, isHelp)) {
+        std::fputs(kHelp, stdout);
+        return 0;
+    }
+    // The temporary file is removed on the way out.
+    std::signal(SIGINT, [](int) { interrupted = 1; });
+    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    const auto request = parsedRequest({argv + 1, argv + argc});
+    if (!request) return fail(request.failure().text);
+    const auto written = writeCubes(*request);
+    return written ? 0 : fail(written.failure().text);
+} catch (const std::bad_alloc&) {
+    return fail("expected enough memory for two rows of voxels, found less");
+}
