@@ -393,6 +393,8 @@ public:
     {
         const glm::dvec3 extent = volumeExtent(scene);
         slack_ = 1e-9 * std::max({extent.x, extent.y, extent.z});
+        for (int axis = 0; scene.planes == SamplingPlanes::axisAligned && axis < 3; ++axis)
+            if (planes_.normal[axis] != 0.0) axis_ = axis;
         for (const Tetrahedron& tetrahedron : scene.geometry)
             if (Solid solid = solidOf(tetrahedron); !solid.empty()) parts_.push_back(std::move(solid));
     }
@@ -407,7 +409,9 @@ public:
         for (const double offset : planes_.offsets) {
             const double place = (offset - start) / slope;
             if (!(place >= 0.0 && place <= 1.0)) continue; // not between the near and the far plane
-            const glm::dvec3 point = ray.start + place * along;
+            glm::dvec3 point = ray.start + place * along;
+            if (axis_ >= 0)
+                point[axis_] = offset / planes_.normal[axis_]; // or rounding decides between slices
             if (!isDrawn(point)) continue;
             Rgba fragment = sampler_(point);
             for (std::size_t c = 0; c < 4; ++c)
@@ -437,6 +441,7 @@ private:
     Sampler sampler_;
     Solid region_;
     std::vector<Solid> parts_; ///< of the geometry, when the scene gives one
+    int axis_ = -1;            ///< that axis-aligned planes are across
     double slack_;
 };
 

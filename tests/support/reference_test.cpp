@@ -443,7 +443,7 @@ TEST(ReferenceMask, leavesMostPixelsOfObliqueViewsIn)
 TEST(ReferenceMask, coversEveryPixelThatAMoveOfAnEdgeChanges)
 {
     const Field volume = constantField({24, 24, 24}, 0.5);
-    for (const Angles& angles : randomViews(8, 10)) {
+    for (const Angles& angles : randomViews(3, 10)) {
         Scene scene = seenFrom(volume, angles, 150);
         scene.overlap = 1;
         scene.view = perspectiveView(angles, volume.size, 150, 150, 35);
