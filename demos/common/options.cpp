@@ -4,6 +4,7 @@
 #include <charconv>
 #include <climits>
 #include <cmath>
+#include <cstdint>
 
 namespace vo {
 namespace {
@@ -59,6 +60,8 @@ constexpr double kLargest = 1e9;
 constexpr const char* kNumber = "a number";
 constexpr const char* kPositive = "a number above 0";
 constexpr double kSmallest = 1e-6;
+/// A picture is held as floats: a gigabyte at most.
+constexpr int kMostPixels = 1 << 26;
 
 struct Option
 {
@@ -89,6 +92,10 @@ void readSize(Options& options, Arguments& arguments)
 {
     options.width = arguments.integer(1, 16384, "a width in pixels");
     options.height = arguments.integer(1, 16384, "a height in pixels");
+    if (std::int64_t(options.width) * options.height > kMostPixels) {
+        arguments.fail("at most " + std::to_string(kMostPixels) + " pixels",
+                       std::to_string(options.width) + " x " + std::to_string(options.height));
+    }
 }
 
 void readView(Options& options, Arguments& arguments)

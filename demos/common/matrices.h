@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gl.h"
+
+#include "camera.h"
+
+/// What the vogl programs set by fixed functions, in a compatibility and in a core context alike: OpenGL's
+/// own state in the first, voState's in the second.
+namespace vo {
+
+/// Whether the current context lacks the fixed functions.
+bool isCoreContext();
+
+void loadProjection(const ViewVolume& view);
+void loadModelView(const Model& model, const Orientation& orientation, const ViewVolume& view);
+
+/// What glGetDoublev gives for GL_MODELVIEW_MATRIX and GL_PROJECTION_MATRIX.
+void getMatrices(GLdouble modelMatrix[16], GLdouble projMatrix[16]);
+
+/// The colour of what is drawn next.
+void setColor(float red, float green, float blue, float alpha);
+
+} // namespace vo

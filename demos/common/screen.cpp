@@ -1,0 +1,103 @@
+#include "screen.h"
+
+#include "offscreen/offscreen.h"
+#include "picture.h"
+#include "window.h"
+
+#include <vo/FloatTarget.h>
+
+#include <cstdio>
+#include <memory>
+#include <vector>
+
+const GladGLContext* gl = nullptr;
+
+namespace vo {
+namespace {
+
+int fail(const ScreenRequest& request, const std::string& reason)
+{
+    std::fprintf(stderr, "%s: %s\n", request.program.c_str(), reason.c_str());
+    return 1;
+}
+
+/// One frame into the target, and from there onto whatever framebuffer is bound.
+bool drawFrame(const ScreenCallbacks& callbacks, voFloatTarget& target)
+{
+    target.begin();
+    const bool drawn = callbacks.draw(target.getWidth(), target.getHeight());
+    target.end();
+    if (drawn) target.show(0, 0);
+    return drawn;
+}
+
+int showWithoutWindow(const ScreenRequest& request, const ScreenCallbacks& callbacks,
+                      const std::string& output)
+{
+    std::string whyNot;
+    const auto context =
+        openOffscreen({.profile = request.core ? OffscreenProfile::Core : OffscreenProfile::Compatibility,
+                       .width = request.width,
+                       .height = request.height},
+                      &whyNot);
+    if (!context) return fail(request, "no OpenGL without a window: " + whyNot);
+    gl = &context->gl();
+    callbacks.initialize();
+    bool drawn = true;
+    std::vector<float> pixels(std::size_t(request.width) * std::size_t(request.height) * 4);
+    {
+        voFloatTarget target(request.width, request.height);
+        for (int frame = 0; drawn && frame < std::max(request.frames, 1); ++frame)
+            drawn = drawFrame(callbacks, target);
+        if (drawn) target.readPixels(pixels.data());
+    }
+    callbacks.cleanup();
+    if (!drawn) return 1;
+    if (output.empty()) return 0;
+    const auto written = writePicture(output, request.width, request.height, pixels);
+    return written ? 0 : fail(request, written.failure().text);
+}
+
+/// Draws into the window until it is closed, or `frames` frames were drawn.
+bool runWindow(Window& window, const ScreenRequest& request, const ScreenCallbacks& callbacks)
+{
+    std::unique_ptr<voFloatTarget> target;
+    int frames = 0;
+    while (window.handleEvents(!window.needsDrawing() && request.frames == 0)) {
+        int width = 0, height = 0;
+        window.framebufferSize(width, height);
+        // An iconified window has no pixels.
+        if (width < 1 || height < 1 || (!window.needsDrawing() && request.frames == 0)) continue;
+        if (!target || target->getWidth() != width || target->getHeight() != height)
+            target = std::make_unique<voFloatTarget>(width, height);
+        if (!drawFrame(callbacks, *target)) return false;
+        window.swap();
+        if (++frames == request.frames) break;
+    }
+    return true;
+}
+
+int showInWindow(Window& window, const ScreenRequest& request, const ScreenCallbacks& callbacks)
+{
+    gl = &window.gl();
+    callbacks.initialize();
+    window.setCallbacks(callbacks);
+    const bool drawn = runWindow(window, request, callbacks);
+    callbacks.cleanup();
+    return drawn ? 0 : 1;
+}
+
+} // namespace
+
+int showOnScreen(const ScreenRequest& request, const ScreenCallbacks& callbacks)
+{
+    if (!request.output.empty()) return showWithoutWindow(request, callbacks, request.output);
+    std::string whyNot;
+    if (const auto window = Window::open(request, whyNot)) return showInWindow(*window, request, callbacks);
+    const std::string output = request.frames > 0 ? "" : request.program + ".png";
+    std::fprintf(stderr, "%s: no window (%s); drawing without one%s\n", request.program.c_str(),
+                 whyNot.c_str(), output.empty() ? "" : (" into " + output).c_str());
+    return showWithoutWindow(request, callbacks, output);
+}
+
+} // namespace vo
