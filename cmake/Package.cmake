@@ -1,16 +1,13 @@
 # Install rules and the package descriptions (find_package(Volumizer), pkg-config volumizer).
 
 include(CMakePackageConfigHelpers)
-if(NOT TARGET vo)
-    return()
-endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/volumizer)
 file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 
 # The library and its headers.
-install(TARGETS vo EXPORT volumizer-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS vo EXPORT volumizer-targets)
 install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 # The programs, those that this build has.

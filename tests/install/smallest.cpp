@@ -1,6 +1,4 @@
-// Draws a volume in a window: a ball of fog in a cube of 64 x 64 x 64 voxels, turning.
-
-#include <cmath>
+// Draws a volume in a window: a turning ring of fog in a cube of 64 x 64 x 64 voxels.
 
 #include <GLFW/glfw3.h>
 
@@ -11,7 +9,7 @@ int main()
 {
     const int n = 64;
 
-    // What it looks like: voxels in one brick, bright in the middle.
+    // What it looks like: voxels in one brick, bright in the middle of the ring.
     voBrickSetCollection fog(n, n, n, n, n, n, voPartialBrickTypeScope::AUGMENT, 1,
                              voInternalFormatTypeScope::INTENSITY8_EXT, voExternalFormatTypeScope::LUMINANCE,
                              voDataTypeScope::UNSIGNED_BYTE, voInterpolationTypeScope::_3D);
@@ -19,8 +17,8 @@ int main()
     for (int z = 0; z < n; z++)
         for (int y = 0; y < n; y++)
             for (int x = 0; x < n; x++) {
-                double distance = std::hypot(x - 31.5, y - 31.5, z - 31.5);
-                *voxel++ = distance < 31 ? (unsigned char)(255 - 8 * distance) : 0;
+                double distance = hypot(hypot(x - 31.5, y - 31.5) - 20, z - 31.5);
+                *voxel++ = distance < 10 ? (unsigned char)(255 - 25 * distance) : 0;
             }
 
     // What shape it has: the cube's corners, and the five tetrahedra that it falls into.
@@ -32,7 +30,7 @@ int main()
     GLFWwindow* window = glfwCreateWindow(512, 512, "A volume", NULL, NULL);
     glfwMakeContextCurrent(window);
     glMatrixMode(GL_PROJECTION);
-    glOrtho(-n, n, -n, n, -n, n);
+    glOrtho(-40, 40, -40, 40, -n, n);
     glMatrixMode(GL_MODELVIEW);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
