@@ -22,12 +22,12 @@ double snapped(double value, const std::vector<double>& faces)
     const auto above = std::lower_bound(faces.begin(), faces.end(), value);
     double nearest = value;
     double distance = kSnapDistance;
-    if (above != faces.end() && *above - value <= distance) {
-        nearest = *above;
-        distance = *above - value;
+    for (auto face = above == faces.begin() ? above : above - 1; face != faces.end() && face <= above;
+         ++face) {
+        if (std::abs(*face - value) > distance) continue;
+        distance = std::abs(*face - value);
+        nearest = *face;
     }
-    if (above != faces.begin() && value - above[-1] <= distance && value - above[-1] < *above - value)
-        nearest = above[-1];
     return nearest;
 }
 

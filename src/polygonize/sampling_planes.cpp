@@ -60,7 +60,7 @@ DepthRange rangeOfView(const Camera& camera, const SamplingAxis& axis)
         return range;
     }
     const double scale = glm::length(axis.normal);
-    const auto [low, high] = std::minmax(camera.nearDepth * scale, camera.farDepth * scale);
+    const auto [low, high] = std::minmax({camera.nearDepth * scale, camera.farDepth * scale});
     return std::isfinite(low + high) ? DepthRange{low, high} : DepthRange{1.0, 0.0};
 }
 
