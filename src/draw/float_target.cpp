@@ -1,5 +1,7 @@
 #include "draw/float_target.h"
 
+#include "draw/scoped_state.h"
+
 #include <new>
 
 namespace vo {
@@ -79,24 +81,13 @@ void FloatTarget::show(int x, int y) const
 
 void FloatTarget::readPixels(float* rgba) const
 {
-    constexpr GLenum names[] = {GL_PACK_SWAP_BYTES, GL_PACK_LSB_FIRST,   GL_PACK_ROW_LENGTH,
-                                GL_PACK_SKIP_ROWS,  GL_PACK_SKIP_PIXELS, GL_PACK_ALIGNMENT};
-    constexpr GLint plain[] = {0, 0, 0, 0, 0, 4};
     const GladGLContext& gl = context_.gl;
-    GLint saved[6], read = 0, buffer = 0;
-    for (int i = 0; i < 6; ++i) {
-        gl.GetIntegerv(names[i], &saved[i]);
-        gl.PixelStorei(names[i], plain[i]);
-    }
-    gl.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer);
+    const ScopedReadState scope(gl, context_.core);
+    GLint read = 0;
     gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     gl.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, rgba);
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
-    gl.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(buffer));
-    for (int i = 0; i < 6; ++i)
-        gl.PixelStorei(names[i], saved[i]);
 }
 
 } // namespace vo

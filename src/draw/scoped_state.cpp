@@ -1,41 +1,73 @@
 #include "draw/scoped_state.h"
 
-#include <iterator>
-
 namespace vo {
 
 namespace {
 
-constexpr GLenum kUnpackNames[] = {GL_UNPACK_SWAP_BYTES,   GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH,
-                                   GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
-                                   GL_UNPACK_SKIP_IMAGES,  GL_UNPACK_ALIGNMENT};
-constexpr GLint kUnpackPlain[] = {0, 0, 0, 0, 0, 0, 0, 1};
+constexpr int kStoreCount = 8;
+constexpr GLenum kUnpackNames[kStoreCount] = {
+    GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST,   GL_UNPACK_ROW_LENGTH,  GL_UNPACK_IMAGE_HEIGHT,
+    GL_UNPACK_SKIP_ROWS,  GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT};
+constexpr GLenum kPackNames[kStoreCount] = {GL_PACK_SWAP_BYTES,   GL_PACK_LSB_FIRST, GL_PACK_ROW_LENGTH,
+                                            GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
+                                            GL_PACK_SKIP_IMAGES,  GL_PACK_ALIGNMENT};
+constexpr GLint kPlainStore[kStoreCount] = {0, 0, 0, 0, 0, 0, 0, 1};
+
+void replaceStore(const GladGLContext& gl, const GLenum* names, GLint* saved)
+{
+    for (int i = 0; i < kStoreCount; ++i) {
+        gl.GetIntegerv(names[i], &saved[i]);
+        gl.PixelStorei(names[i], kPlainStore[i]);
+    }
+}
+
+void restoreStore(const GladGLContext& gl, const GLenum* names, const GLint* saved)
+{
+    for (int i = 0; i < kStoreCount; ++i)
+        gl.PixelStorei(names[i], saved[i]);
+}
+
+/// Saves pixel transfer on the attribute stack of a compatibility context and makes it change nothing.
+void replaceTransfer(const GladGLContext& gl)
+{
+    gl.PushAttrib(GL_PIXEL_MODE_BIT);
+    for (const GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
+        gl.PixelTransferf(scale, 1.0f);
+    for (const GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
+        gl.PixelTransferf(bias, 0.0f);
+    gl.PixelTransferi(GL_MAP_COLOR, GL_FALSE);
+}
 
 } // namespace
 
 ScopedUploadState::ScopedUploadState(const GladGLContext& gl, bool core) : gl_(gl), core_(core)
 {
-    for (std::size_t i = 0; i < std::size(kUnpackNames); ++i) {
-        gl_.GetIntegerv(kUnpackNames[i], &store_[i]);
-        gl_.PixelStorei(kUnpackNames[i], kUnpackPlain[i]);
-    }
+    replaceStore(gl_, kUnpackNames, store_);
     gl_.GetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    if (core_) return;
-    gl_.PushAttrib(GL_PIXEL_MODE_BIT);
-    for (const GLenum scale : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE})
-        gl_.PixelTransferf(scale, 1.0f);
-    for (const GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
-        gl_.PixelTransferf(bias, 0.0f);
-    gl_.PixelTransferi(GL_MAP_COLOR, GL_FALSE);
+    if (!core_) replaceTransfer(gl_);
 }
 
 ScopedUploadState::~ScopedUploadState()
 {
     if (!core_) gl_.PopAttrib();
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
-    for (std::size_t i = 0; i < std::size(kUnpackNames); ++i)
-        gl_.PixelStorei(kUnpackNames[i], store_[i]);
+    restoreStore(gl_, kUnpackNames, store_);
+}
+
+ScopedReadState::ScopedReadState(const GladGLContext& gl, bool core) : gl_(gl), core_(core)
+{
+    replaceStore(gl_, kPackNames, store_);
+    gl_.GetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &buffer_);
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    if (!core_) replaceTransfer(gl_);
+}
+
+ScopedReadState::~ScopedReadState()
+{
+    if (!core_) gl_.PopAttrib();
+    gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(buffer_));
+    restoreStore(gl_, kPackNames, store_);
 }
 
 ScopedDrawState::ScopedDrawState(const GladGLContext& gl, int voxelUnit, int tableUnit)

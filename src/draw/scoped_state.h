@@ -21,6 +21,22 @@ private:
     GLint buffer_ = 0;
 };
 
+/// The same for reading pixels back.
+class ScopedReadState
+{
+public:
+    explicit ScopedReadState(const GladGLContext& gl, bool core);
+    ~ScopedReadState();
+    ScopedReadState(const ScopedReadState&) = delete;
+    ScopedReadState& operator=(const ScopedReadState&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    bool core_;
+    GLint store_[8];
+    GLint buffer_ = 0;
+};
+
 /// The caller's state that draws touch: program, vertex array, array buffer, active texture unit, the texture
 /// of the unit that carries the table, and the samplers of both units.
 class ScopedDrawState

@@ -48,10 +48,10 @@ void fillBrick(voBrick& brick, const Field& field, const std::vector<T>& values)
 } // namespace
 
 SceneDrawing::SceneDrawing(const OffscreenContext& context, const Scene& scene, const DrawOptions& options)
-    : context_(context), scene_(scene), options_(options)
+    : context_(&context), scene_(scene), options_(options)
 {
     GLint profile = 0;
-    context_.gl().GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    context_->gl().GetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
     core_ = (profile & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) == 0;
     makeVolume();
     makeGeometry();
@@ -151,7 +151,7 @@ void SceneDrawing::makeTable()
 
 void SceneDrawing::setState(const View& view)
 {
-    const GladGLContext& gl = context_.gl();
+    const GladGLContext& gl = context_->gl();
     const auto& color = scene_.color;
     if (core_) {
         voState::setModelMatrix(view.model.data());
@@ -198,6 +198,12 @@ void SceneDrawing::draw(const View& view)
                                        scene_.period ? period : nullptr, voDecorationFlagsScope::NONE);
     }
     expectNoError("drawing");
+}
+
+void SceneDrawing::drawIn(const OffscreenContext& other)
+{
+    context_ = &other;
+    draw();
 }
 
 /// The guide's my_DrawVolume (pages 77-81).

@@ -36,6 +36,8 @@ public:
     void draw();
     /// The same with another view.
     void draw(const View& view);
+    /// The same in another context, which is current.
+    void drawIn(const OffscreenContext& other);
 
     voBrickSetCollection& volume() { return *volume_; }
     voIndexedTetraSet& tetras() { return *tetras_; }
@@ -47,7 +49,7 @@ private:
     void setState(const View& view);
     void drawLoops(const View& view);
 
-    const OffscreenContext& context_;
+    const OffscreenContext* context_;
     Scene scene_;
     DrawOptions options_;
     bool core_ = false;
