@@ -161,8 +161,8 @@ void sendConverted(const GladGLContext& gl, const TextureImage& image, const Tex
             decodeVoxels(image.voxels.subspan(voxel * bytes, count * bytes), image.format, count,
                          rgba.data());
             if (table) applyTable(*table, rgba.data(), count);
-            // OpenGL takes the first component for one channel, not the luminance.
-            if (channelCount(storage.channels) == 1)
+            // OpenGL takes the first component for intensity and luminance, not a weighted sum.
+            if (storage.channels != Channels::rgba)
                 for (std::size_t i = 0; i < count; ++i)
                     rgba[4 * i + 1] = rgba[4 * i + 2] = rgba[4 * i];
             encodeVoxels(rgba.data(), count, target, texels);
