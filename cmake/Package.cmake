@@ -10,8 +10,7 @@ file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${
 install(TARGETS vo EXPORT volumizer-targets)
 install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
-# The programs, those that this build has.
-foreach(program mkcubes voglSimple voglBasic)
+foreach(program ${volumizer_programs})
     if(TARGET ${program})
         set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
         install(TARGETS ${program})
