@@ -68,16 +68,16 @@ T fromUnit(float unit)
     }
 }
 
+/// Exactly the value for grey: the error of the sum in double precision is far below half a step of any T.
 template <class T>
 T luminanceOf(T red, T green, T blue)
 {
-    if (red == green && green == blue) return red;
     const double luminance = 0.30 * static_cast<double>(red) + 0.59 * static_cast<double>(green) +
                              0.11 * static_cast<double>(blue);
     if constexpr (std::is_floating_point_v<T>)
         return static_cast<T>(luminance);
     else
-        return static_cast<T>(std::llround(luminance));
+        return static_cast<T>(luminance + std::copysign(0.5, luminance));
 }
 
 /// Stored channels to (red, green, blue, alpha).

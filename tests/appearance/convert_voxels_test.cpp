@@ -256,6 +256,25 @@ TEST(ConvertVoxels, colorBecomesTheLuminanceRounded)
               (std::vector<std::uint8_t>{124, 7, 9, 1}));
 }
 
+TEST(ConvertVoxels, greyColorGivesItsValueExactly)
+{
+    std::mt19937 random(5);
+    for (int i = 0; i < 100000; ++i) {
+        const auto grey = static_cast<std::uint32_t>(random());
+        const auto grey8 = static_cast<std::int8_t>(grey);
+        const auto greyFloat = static_cast<float>(grey) / 3.0e9f - 0.5f;
+        ASSERT_EQ(convert(std::vector{grey, grey, grey, 1u}, Channels::rgba, Channels::luminance,
+                          VoxelType::uint32, 1)[0],
+                  grey);
+        ASSERT_EQ(convert(std::vector<std::int8_t>{1, grey8, grey8, grey8}, Channels::abgr,
+                          Channels::luminance, VoxelType::int8, 1)[0],
+                  grey8);
+        ASSERT_EQ(convert(std::vector{greyFloat, greyFloat, greyFloat, 1.0f}, Channels::rgba,
+                          Channels::intensity, VoxelType::float32, 1)[0],
+                  greyFloat);
+    }
+}
+
 TEST(ConvertVoxels, changesTheTypeByWayOfItsRange)
 {
     const auto source = bytesOf<std::uint8_t>({0, 1, 128, 255});

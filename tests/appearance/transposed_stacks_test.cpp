@@ -11,8 +11,7 @@ using vo::BrickVoxels;
 using vo::PartialBricks;
 using vo::VoxelSize;
 
-/// Bricks with voxels of their own. A voxel of the volume holds its number + 1, spread over all its bytes, so
-/// that no two are equal and none is zero.
+/// Bricks with voxels of their own.
 struct Stack
 {
     std::vector<BrickExtent> extents;
@@ -34,12 +33,13 @@ struct Stack
     }
 };
 
+/// The bytes of a voxel of the volume, unlike those of any other.
 std::vector<std::byte> truth(std::uint64_t voxelNumber, std::size_t bytes)
 {
-    std::vector<std::byte> voxel(bytes, std::byte{0});
-    std::uint64_t number = voxelNumber + 1;
-    for (std::size_t i = 0; i < bytes && i < sizeof number; ++i)
-        voxel[i] = static_cast<std::byte>(number >> 8 * i);
+    std::vector<std::byte> voxel(bytes);
+    const std::uint64_t number = voxelNumber + 1;
+    for (std::size_t i = 0; i < bytes; ++i)
+        voxel[i] = static_cast<std::byte>((number >> 8 * (i % 3)) + 37 * i);
     return voxel;
 }
 
