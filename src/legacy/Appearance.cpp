@@ -4,8 +4,8 @@
 #include "legacy/report.h"
 
 #include <atomic>
-#include <climits>
 #include <cmath>
+#include <cstdint>
 
 using vo::badValue;
 using vo::guarded;
@@ -19,6 +19,28 @@ std::uint64_t nextTextureId()
 }
 
 vo::VoxelFormat voxelFormat(const voInside::Texture& d);
+
+/// Bytes of the widest voxel: four channels of 32 bits.
+constexpr std::uint64_t kMostVoxelBytes = 16;
+
+/// Each size at least 1, and the voxels of any format countable in bytes.
+void checkSizes(const vo::VoxelSize& size, const char* what)
+{
+    const std::string sizes = std::string(what) + " sizes " + std::to_string(size.x) + " x " +
+                              std::to_string(size.y) + " x " + std::to_string(size.z);
+    if (size.x < 1 || size.y < 1 || size.z < 1) badValue(sizes + ", each must be 1 or more");
+    const auto x = static_cast<std::uint64_t>(size.x), y = static_cast<std::uint64_t>(size.y);
+    if (x * y > PTRDIFF_MAX / kMostVoxelBytes / static_cast<std::uint64_t>(size.z))
+        badValue(sizes + " are more voxels than memory can have");
+}
+
+/// Borrowed voxels are as many as the sizes say, whichever was told first.
+void refreshBorrowed(voTexture3D& texture)
+{
+    const voInside::Texture& d = voInside::of(texture);
+    std::byte* const data = d.source->voxels(d.slot).data();
+    if (data && !d.source->owns(d.slot)) d.source->borrow(d.slot, {data, texture.getDataSize()});
+}
 
 } // namespace
 
@@ -87,13 +109,12 @@ void voTexture3D::getSizes(int& xSize, int& ySize, int& zSize) const
 void voTexture3D::setSizes(int xSize, int ySize, int zSize)
 {
     guarded("voTexture3D::setSizes", [&] {
-        if (xSize < 1 || ySize < 1 || zSize < 1)
-            badValue("sizes " + std::to_string(xSize) + " x " + std::to_string(ySize) + " x " +
-                     std::to_string(zSize) + ", each must be 1 or more");
+        checkSizes({xSize, ySize, zSize}, "texture");
         d->size[0] = xSize;
         d->size[1] = ySize;
         d->size[2] = zSize;
         ++d->version;
+        refreshBorrowed(*this);
     });
 }
 
@@ -121,18 +142,22 @@ voBrick::~voBrick() = default;
 
 void voBrick::setBrickSizes(float xmin, float ymin, float zmin, float xSize, float ySize, float zSize)
 {
+    constexpr float kTooFar = 2147483648.0f; // does not fit an int
     guarded("voBrick::setBrickSizes", [&] {
         const float origin[3] = {xmin, ymin, zmin}, size[3] = {xSize, ySize, zSize};
         for (int axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(origin[axis]) || !(size[axis] >= 1.0f) || !(size[axis] < 2147483648.0f))
+            if (!(std::abs(origin[axis]) < kTooFar) || !(size[axis] >= 1.0f) || !(size[axis] < kTooFar))
                 badValue("axis " + std::to_string(axis) + ": origin " + std::to_string(origin[axis]) +
                          ", size " + std::to_string(size[axis]) + "; a size of 1 or more is needed");
+        const vo::VoxelSize voxels{static_cast<int>(xSize), static_cast<int>(ySize), static_cast<int>(zSize)};
+        checkSizes(voxels, "brick");
         for (int axis = 0; axis < 3; ++axis) {
             d->origin[axis] = origin[axis];
             d->extent[axis] = size[axis];
-            d->size[axis] = static_cast<int>(size[axis]);
+            d->size[axis] = voxels[axis];
         }
         ++d->version;
+        refreshBorrowed(*this);
     });
 }
 
@@ -230,12 +255,8 @@ struct VolumeRequest
     voDataType dataType = voDataTypeScope::UNSIGNED_BYTE;
 };
 
-void checkSizes(const vo::VoxelSize& size, const char* what)
-{
-    if (size.x < 1 || size.y < 1 || size.z < 1)
-        badValue(std::string(what) + " sizes " + std::to_string(size.x) + " x " + std::to_string(size.y) +
-                 " x " + std::to_string(size.z) + ", each must be 1 or more");
-}
+/// More bricks than this in a set is a mistake in the sizes: each one costs memory, and a texture.
+constexpr std::int64_t kMostBricks = 1 << 20;
 
 std::vector<voPlaneOrientation> orientations(voInterpolationType type)
 {
@@ -257,7 +278,9 @@ std::int64_t countBricks(const VolumeRequest& request, voInterpolationType type)
     std::int64_t total = 0;
     for (const voPlaneOrientation orientation : orientations(type)) {
         const std::int64_t count = vo::brickCount(forOrientation(request.grid, orientation));
-        if (count > INT_MAX) badValue(std::to_string(count) + " bricks are more than can be counted");
+        if (count > kMostBricks)
+            badValue(std::to_string(count) + " bricks, at most " + std::to_string(kMostBricks) +
+                     " are possible");
         total += count;
     }
     return total;

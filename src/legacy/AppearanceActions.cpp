@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using vo::badValue;
 using vo::guarded;
@@ -41,6 +42,16 @@ std::span<std::byte> requiredVoxels(const voTexture3D& texture)
     const voInside::Texture& d = voInside::of(texture);
     const std::span<std::byte> voxels = d.source->voxels(d.slot);
     if (voxels.empty()) badValue("the texture has no voxels; dataAlloc or setDataPtr gives it some");
+    return voxels;
+}
+
+/// The storage, which must have room for all voxels in the texture's own format.
+std::span<std::byte> voxelsToWrite(const voTexture3D& texture)
+{
+    const std::span<std::byte> voxels = requiredVoxels(texture);
+    if (voxels.size() < texture.getDataSize())
+        badValue("the texture has " + std::to_string(voxels.size()) + " bytes of voxels, " +
+                 std::to_string(texture.getDataSize()) + " are needed");
     return voxels;
 }
 
@@ -178,10 +189,27 @@ vo::RecordLayout layoutWithTexCoord(const voIndexedFaceSet& faceSet, voInterleav
     return layout;
 }
 
+/// The indices are groups of a count and that many vertices, all there.
+void checkPolygons(const voIndexedFaceSet& faceSet)
+{
+    const int vertices = faceSet.getVertexData()->getCount();
+    const std::span<const int> entries(faceSet.getIndices()->getDataPtr(),
+                                       static_cast<std::size_t>(faceSet.getIndices()->getCount()));
+    for (std::size_t i = 0; i < entries.size(); i += static_cast<std::size_t>(entries[i]) + 1) {
+        if (entries[i] < 0 || static_cast<std::size_t>(entries[i]) >= entries.size() - i)
+            badValue("the indices are no groups of a count and that many vertices");
+        for (const int vertex : entries.subspan(i + 1, static_cast<std::size_t>(entries[i])))
+            if (vertex < 0 || vertex >= vertices)
+                badValue("vertex " + std::to_string(vertex) + " is outside 0 to " +
+                         std::to_string(vertices - 1));
+    }
+}
+
 /// Voxel to texture coordinates of each vertex that the face set uses; `done` marks vertices of shared data.
 void transformTexCoords(const voBrick& brick, voIndexedFaceSet& faceSet, const vo::RecordLayout& layout,
                         std::vector<bool>& done)
 {
+    checkPolygons(faceSet);
     const vo::TexgenPlanes planes = planesOf(brick);
     voVertexData& vertices = *faceSet.getVertexData();
     const voIndices& indices = *faceSet.getIndices();
@@ -190,7 +218,7 @@ void transformTexCoords(const voBrick& brick, voIndexedFaceSet& faceSet, const v
     for (int i = 0; i < indices.getCount(); i += entries[i] + 1)
         for (int corner = 1; corner <= entries[i]; ++corner) {
             const auto vertex = static_cast<std::size_t>(entries[i + corner]);
-            if (vertex >= done.size() || done[vertex]) continue;
+            if (done[vertex]) continue;
             done[vertex] = true;
             float* t =
                 vertices.getDataPtr() + vertex * static_cast<std::size_t>(layout.values) + layout.texCoord;
@@ -286,6 +314,7 @@ int voAppearanceActions::dataScaleRange(voTexture3D* texture, double loValue, do
     return guarded("voAppearanceActions::dataScaleRange", [&] {
         voTexture3D& t = required(texture, "texture");
         if (!(hiValue > loValue)) return;
+        if (!std::isfinite(hiValue - loValue)) badValue("a range without end cannot be scaled");
         const vo::VoxelFormat format = formatOf(t);
         if (vo::isPacked(format.type)) vo::unsupported("packed voxels have no range to scale");
         const std::span<std::byte> voxels = requiredVoxels(t);
@@ -302,8 +331,11 @@ int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voExterna
         const vo::VoxelFormat source{vo::channels(vo::resolveExternalFormat(diskFormat)), target.type};
         if (!data) badValue("data is NULL");
         if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
-        vo::convertVoxels(static_cast<const std::byte*>(data), source, requiredVoxels(t).data(), target,
-                          voxelCount(t));
+        const std::span<std::byte> storage = voxelsToWrite(t);
+        const bool ownInPlace = data == storage.data() && voInside::of(t).source->owns(voInside::of(t).slot);
+        if (ownInPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
+            badValue("the texture's storage is too small for voxels of that format");
+        vo::convertVoxels(static_cast<const std::byte*>(data), source, storage.data(), target, voxelCount(t));
         touch(t);
     });
 }
@@ -316,9 +348,9 @@ int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voDataTyp
         const vo::VoxelFormat source{target.channels, vo::voxelType(vo::resolveDataType(diskType))};
         if (!data) badValue("data is NULL");
         if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
-        const std::span<std::byte> storage = requiredVoxels(t);
-        const bool inPlace = data == storage.data();
-        if (inPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
+        const std::span<std::byte> storage = voxelsToWrite(t);
+        const bool ownInPlace = data == storage.data() && voInside::of(t).source->owns(voInside::of(t).slot);
+        if (ownInPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
             badValue("the texture's storage is too small for voxels of that type");
         vo::convertVoxels(static_cast<const std::byte*>(data), source, storage.data(), target, voxelCount(t));
         touch(t);
@@ -466,7 +498,8 @@ void voAppearanceActions::xfmVox2TexCoords(voBrickSet* brickSet, int samplesNumb
         const voVertexData* marked = nullptr;
         for (int b = 0; b < set.getBrickCount(); ++b)
             for (int s = 0; s < samplesNumber; ++s) {
-                voIndexedFaceSet& faces = *polygonSet[b][s];
+                voIndexedFaceSet* const* row = &required(polygonSet[b], "a row of polygonSet");
+                voIndexedFaceSet& faces = required(row[s], "a face set of polygonSet");
                 const vo::RecordLayout layout = layoutWithTexCoord(faces, format);
                 // Face sets share vertex data or own theirs; no vertex belongs to two bricks.
                 if (marked != faces.getVertexData()) done.clear();

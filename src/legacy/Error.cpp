@@ -64,7 +64,16 @@ void (*voError::setErrorHandler(void (*handler)(void)))(void)
 
 void voError::callErrorHandler()
 {
-    if (void (*handler)() = errorHandler.load()) handler();
+    // A handler may call the library; an error there is recorded, but does not call it again from within.
+    thread_local bool inHandler = false;
+    void (*const handler)() = errorHandler.load();
+    if (!handler || inHandler) return;
+    struct Scope
+    {
+        Scope() { inHandler = true; }
+        ~Scope() { inHandler = false; } // also when the handler throws
+    } const scope;
+    handler();
 }
 
 void voError::setDebugLevel(int level)

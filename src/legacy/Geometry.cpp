@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <climits>
 #include <cstring>
+#include <functional>
 
 using vo::badValue;
 using vo::guarded;
@@ -261,6 +262,10 @@ void voIndexedFaceSet::appendPoly(float* vdata, int count)
         voInside::Indices& indices = voInside::of(*d->indices);
         const auto values = static_cast<std::size_t>(vertices.values);
         if (count > INT_MAX - vertices.count) throw std::bad_alloc();
+        // Own records may move when the storage grows.
+        const bool inOwn = vdata && !vertices.own.empty() && !std::less<>{}(vdata, vertices.own.data()) &&
+                           std::less<>{}(vdata, vertices.own.data() + vertices.own.size());
+        const std::ptrdiff_t ownOffset = inOwn ? vdata - vertices.own.data() : 0;
         if (vertices.count + count > vertices.countMax) {
             if (!d->ownVertices || !ownsStorage(vertices))
                 throw vo::CallerError{voErrorTypeScope::OUT_OF_MEMORY,
@@ -268,6 +273,7 @@ void voIndexedFaceSet::appendPoly(float* vdata, int count)
                                           std::to_string(vertices.count) + " of " +
                                           std::to_string(vertices.countMax) + " are in use"};
             grow(vertices, vertices.own, vertices.count + count, vertices.values);
+            if (inOwn) vdata = vertices.own.data() + ownOffset;
         }
         if (indices.count > INT_MAX - count - 1) throw std::bad_alloc();
         grow(indices, indices.own, indices.count + count + 1, 1);
@@ -287,9 +293,12 @@ voIndexedFaceSetIterator::voIndexedFaceSetIterator(voIndexedFaceSet* faceSet) : 
 {
 }
 
+// Indices that are no group of a count and that many vertices end the traversal.
 voBool voIndexedFaceSetIterator::doneP() const
 {
-    return !set || next >= set->getIndices()->getCount();
+    if (!set || next >= set->getIndices()->getCount()) return VO_TRUE;
+    const int count = set->getIndices()->getDataPtr()[next];
+    return count < 0 || count >= set->getIndices()->getCount() - next;
 }
 
 float* voIndexedFaceSetIterator::nextVertex()

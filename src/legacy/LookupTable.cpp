@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 using vo::badValue;
 using vo::guarded;
@@ -16,6 +17,15 @@ namespace {
 
 /// Smallest OpenGL constant in question; enumerators of ours are all smaller, so the two cannot be confused.
 constexpr GLenum kFirstOpenGlConstant = 0x1400;
+/// The width of a texture that today's OpenGL can be relied on to hold.
+constexpr int kMostEntries = 16384;
+
+void checkWidth(int width)
+{
+    if (width < 2 || width > kMostEntries)
+        badValue("a table of " + std::to_string(width) + " entries, 2 to " + std::to_string(kMostEntries) +
+                 " are possible");
+}
 
 vo::Channels channelsOf(GLenum format)
 {
@@ -71,6 +81,7 @@ vo::Table readEntries(const void* data, int width, GLenum externalFormat, GLenum
 {
     const vo::VoxelFormat format{channelsOf(externalFormat), typeOf(dataType)};
     if (!data) badValue("the table has no entries");
+    if (!vo::isValid(format)) unsupported("packed entries need four channels");
     const auto count = static_cast<std::size_t>(width);
     vo::Table table;
     table.rgba.resize(4 * count);
@@ -101,7 +112,7 @@ voLookupTable::voLookupTable(GLenum internalFormat, int width, GLenum externalFo
     d->data = data;
     d->slot = std::make_shared<vo::TableSlot>();
     guarded("voLookupTable", [&] {
-        if (width < 2) badValue("a table of " + std::to_string(width) + " entries, 2 or more are needed");
+        checkWidth(width);
         d->width = width;
     });
 }
@@ -115,8 +126,7 @@ voLookupTable::~voLookupTable()
 void voLookupTable::load()
 {
     guarded("voLookupTable::load", [&] {
-        if (d->width < 2)
-            badValue("a table of " + std::to_string(d->width) + " entries, 2 or more are needed");
+        checkWidth(d->width);
         const bool luminanceAlpha = isLuminanceAlpha(d->internalFormat);
         d->slot->table = d->ramp
                              ? vo::linearRamp(d->width, d->rampCenter, d->rampWidth)
@@ -139,6 +149,7 @@ void voLookupTable::set(voLookupTableShape shape, float center, float width)
 {
     guarded("voLookupTable::set", [&] {
         if (shape != LINEAR) vo::badEnum("voLookupTableShape has no value " + std::to_string(shape));
+        if (!std::isfinite(center) || !std::isfinite(width)) badValue("center or width is not a number");
         d->ramp = true;
         d->rampCenter = center;
         d->rampWidth = width;
@@ -155,8 +166,7 @@ int voLookupTable::getBestParameters(voBrickSetCollection*, voRenderingMode rend
             vo::badEnum("voRenderingMode has no value " + std::to_string(mode));
         if (type < -1 || type > voLookupTableTypeScope::POST_INTERPOLATION)
             vo::badEnum("voLookupTableType has no value " + std::to_string(type));
-        if (lookupLength < 2)
-            badValue("a table of " + std::to_string(lookupLength) + " entries, 2 or more are needed");
+        checkWidth(lookupLength);
         const bool color = mode == voRenderingModeScope::COLOR;
         if (type != voLookupTableTypeScope::PRE_INTERPOLATION)
             lookupType = voLookupTableTypeScope::POST_INTERPOLATION;

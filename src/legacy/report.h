@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 namespace vo {
@@ -49,6 +50,8 @@ int guarded(const char* action, Body body)
     } catch (const CallerError& error) {
         report(action, error.number, error.text);
     } catch (const std::bad_alloc&) {
+        report(action, voErrorTypeScope::OUT_OF_MEMORY, "there is not enough memory");
+    } catch (const std::length_error&) { // more than any memory holds
         report(action, voErrorTypeScope::OUT_OF_MEMORY, "there is not enough memory");
     } catch (const std::exception& error) {
         report(action, voErrorTypeScope::UNSUPPORTED, error.what());
