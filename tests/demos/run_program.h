@@ -1,0 +1,66 @@
+#pragma once
+
+#include "volume_io/volume_io.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Programs of the project run as a user runs them, in a folder of their own.
+namespace vo {
+
+struct ProgramRun
+{
+    /// Exit status; -1 when a signal ended it.
+    int status;
+    std::string output;
+    std::string errors;
+};
+
+/// A folder that is gone when this object is.
+class ScratchFolder
+{
+public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Runs `program` (a path) with these words, none of which holds a quote, in this folder.
+    /// `environment`: words NAME=VALUE.
+    ProgramRun run(const std::string& program, const std::vector<std::string>& words,
+                   const std::string& environment = "") const;
+    /// Splits at spaces: run("voglBasic", "a.tif -2D"), a program of the build.
+    ProgramRun run(const std::string& program, const std::string& words) const;
+
+    /// Names of the files that lie here.
+    std::vector<std::string> files() const;
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Writes a TIFF of one channel whose voxel (x, y, z) is value(x, y, z).
+void writeBytes(const std::filesystem::path& path, int xSize, int ySize, int zSize,
+                const std::function<int(int, int, int)>& value);
+void writeShorts(const std::filesystem::path& path, int xSize, int ySize, int zSize,
+                 const std::function<int(int, int, int)>& value);
+
+std::string readFile(const std::filesystem::path& path);
+
+/// Red, green or blue of a pixel, y from the top.
+int channel(const Picture& picture, int x, int y, int which);
+
+/// The largest difference of a channel, and how many pixels differ by more than 1.
+struct PictureDifference
+{
+    int largest = 0;
+    int pixelsBeyondOne = 0;
+};
+PictureDifference difference(const Picture& a, const Picture& b);
+
+} // namespace vo

@@ -1,0 +1,265 @@
+#include "run_program.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace {
+
+using vo::channel;
+using vo::Picture;
+using vo::ProgramRun;
+
+class VoglPrograms : public testing::Test
+{
+protected:
+    /// Draws with voglBasic and the words; the picture must come.
+    Picture draw(const std::string& words, const std::string& program = "voglBasic")
+    {
+        const ProgramRun run = folder.run(program, words + " -output picture.png");
+        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
+        EXPECT_EQ(run.errors, "") << words;
+        const auto picture = vo::readPng(folder / "picture.png");
+        EXPECT_TRUE(picture) << words;
+        return picture ? *picture : Picture{};
+    }
+
+    /// A volume of 24 x 20 x 16 voxels, soft, different along each axis.
+    void writeBlob(const std::string& name)
+    {
+        vo::writeBytes(folder / name, 24, 20, 16, [](int x, int y, int z) {
+            const int d = (x - 9) * (x - 9) + 2 * (y - 12) * (y - 12) + 3 * (z - 6) * (z - 6);
+            return std::max(0, 250 - 3 * d);
+        });
+    }
+
+    /// Wide planes of 255 at the ends that x, y, z say (0 or 1; -1: anywhere), black elsewhere.
+    void writeEnd(const std::string& name, int axis, bool far)
+    {
+        vo::writeBytes(folder / name, 16, 16, 16, [=](int x, int y, int z) {
+            const int at = axis == 0 ? x : axis == 1 ? y : z;
+            return (far ? at >= 11 : at < 5) ? 255 : 0;
+        });
+    }
+
+    vo::ScratchFolder folder;
+};
+
+int brightest(const Picture& picture)
+{
+    return *std::max_element(picture.bytes.begin(), picture.bytes.end());
+}
+
+TEST_F(VoglPrograms, pictureHasTheSizeAskedFor)
+{
+    ASSERT_EQ(folder.run("mkcubes", "32 32 32 16 cubes.tif").status, 0);
+    for (const char* program : {"voglBasic", "voglSimple"}) {
+        const Picture usual = draw("cubes.tif", program);
+        EXPECT_EQ(usual.width, 512);
+        EXPECT_EQ(usual.height, 512);
+        const Picture asked = draw("-size 61 40 cubes.tif", program);
+        EXPECT_EQ(asked.width, 61);
+        EXPECT_EQ(asked.height, 40);
+        EXPECT_GT(brightest(asked), 50);
+    }
+}
+
+TEST_F(VoglPrograms, twoRunsGiveTheSameBytes)
+{
+    writeBlob("blob.tif");
+    const std::string words = "blob.tif -view 20 30 -size 90 70 -output ";
+    ASSERT_EQ(folder.run("voglBasic", words + "a.png").status, 0);
+    ASSERT_EQ(folder.run("voglBasic", words + "b.png").status, 0);
+    EXPECT_EQ(vo::readFile(folder / "a.png"), vo::readFile(folder / "b.png"));
+    EXPECT_NE(vo::readFile(folder / "a.png"), "");
+}
+
+TEST_F(VoglPrograms, axesPointWhereTheyShould)
+{
+    writeEnd("right.tif", 0, true);
+    writeEnd("top.tif", 2, true);
+    writeEnd("back.tif", 1, true);
+    const auto halves = [this](const std::string& words) {
+        const Picture p = draw(words + " -size 64 64");
+        return std::array<int, 4>{channel(p, 20, 32, 0), channel(p, 44, 32, 0), channel(p, 32, 20, 0),
+                                  channel(p, 32, 44, 0)}; // left, right, top, bottom
+    };
+    const auto right = halves("right.tif");
+    EXPECT_GT(right[1], right[0] + 50) << "x points right";
+    const auto turned = halves("right.tif -view 0 180");
+    EXPECT_GT(turned[0], turned[1] + 50) << "and left when seen from the other side";
+    const auto top = halves("top.tif");
+    EXPECT_GT(top[2], top[3] + 50) << "z points up";
+    const auto above = halves("back.tif -view -90 0");
+    EXPECT_GT(above[2], above[3] + 50) << "seen from above, y points up";
+}
+
+TEST_F(VoglPrograms, coreContextDrawsTheSamePicture)
+{
+    writeBlob("blob.tif");
+    for (const char* words :
+         {"blob.tif -view 20 30 -size 90 70", "blob.tif -view 20 30 -size 90 70 -perspective 40",
+          "blob.tif -view 20 30 -size 90 70 -2D -mip -wireframe"}) {
+        const auto apart = vo::difference(draw(words), draw(std::string(words) + " -core"));
+        EXPECT_LE(apart.largest, 1) << words;
+    }
+}
+
+TEST_F(VoglPrograms, bricksLeaveThePictureAsItWas)
+{
+    writeBlob("blob.tif");
+    const Picture whole = draw("blob.tif -view 20 30");
+    for (const char* bricks : {"2 2 2", "3 2 1"}) {
+        const auto apart = vo::difference(whole, draw(std::string("blob.tif -view 20 30 -bricks ") + bricks));
+        EXPECT_LE(apart.pixelsBeyondOne, 512 * 512 / 2000) << bricks;
+    }
+}
+
+TEST_F(VoglPrograms, stacksAndTexturesShowTheSameVolume)
+{
+    writeBlob("blob.tif");
+    const auto apart = vo::difference(draw("blob.tif -size 90 90 -2D"), draw("blob.tif -size 90 90 -3D"));
+    EXPECT_LE(apart.largest, 8);
+    const auto turned = vo::difference(draw("blob.tif -size 90 90 -2D -view 0 90"),
+                                       draw("blob.tif -size 90 90 -3D -view 0 90"));
+    EXPECT_LE(turned.largest, 8) << "the YZ stack";
+}
+
+TEST_F(VoglPrograms, tableColoursThePicture)
+{
+    writeBlob("blob.tif");
+    std::ofstream(folder / "red.lut") << "0 0 0 0\n255 0 0 64\n";
+    const Picture red = draw("blob.tif -size 64 64 -lutFile red.lut");
+    EXPECT_GT(channel(red, 29, 34, 0), 50);
+    EXPECT_EQ(channel(red, 29, 34, 1), 0);
+    const Picture grey = draw("blob.tif -size 64 64 -lutFile red.lut -monochrome");
+    EXPECT_GT(channel(grey, 29, 34, 0), 10);
+    EXPECT_EQ(channel(grey, 29, 34, 0), channel(grey, 29, 34, 1));
+}
+
+TEST_F(VoglPrograms, rampMovesWithItsCenter)
+{
+    writeBlob("blob.tif");
+    const Picture low = draw("blob.tif -size 64 64 -lut 20 40");
+    const Picture high = draw("blob.tif -size 64 64 -lut 230 40");
+    EXPECT_GT(brightest(low), brightest(high));
+    EXPECT_EQ(brightest(draw("blob.tif -size 64 64 -lut 400 40")), 0) << "nothing is as bright";
+}
+
+TEST_F(VoglPrograms, dataRangeOfShortsIsThatOfTheFile)
+{
+    vo::writeShorts(folder / "ct.tif", 12, 12, 12,
+                    [](int x, int y, int z) { return 900 + 10 * x + y + 80 * z; });
+    const Picture scanned = draw("ct.tif -size 64 64");
+    const Picture told = draw("ct.tif -size 64 64 -dataRange 900 1901");
+    EXPECT_EQ(scanned.bytes, told.bytes);
+    EXPECT_GT(brightest(scanned), 100);
+    EXPECT_EQ(scanned.bytes, draw("ct.tif -size 64 64 -bricks 1 1 1").bytes);
+    EXPECT_LE(vo::difference(scanned, draw("ct.tif -size 64 64 -bricks 2 2 2")).largest, 1)
+        << "what pads the last bricks is no value of the file";
+    EXPECT_LT(brightest(draw("ct.tif -size 64 64 -dataRange 0 65535")), 30);
+}
+
+TEST_F(VoglPrograms, perspectiveAndScaleKeepTheVolumeInThePicture)
+{
+    vo::writeBytes(folder / "full.tif", 8, 8, 8, [](int, int, int) { return 255; });
+    for (const char* words :
+         {"-perspective 60", "-scale 1 2 3", "-perspective 20 -scale 4 1 1", "-space view"}) {
+        const Picture p = draw("full.tif -size 80 60 -view 20 30 " + std::string(words));
+        EXPECT_GT(channel(p, 40, 30, 0), 100) << words;
+        for (const int x : {0, 79}) {
+            for (int y = 0; y < 60; ++y)
+                ASSERT_EQ(channel(p, x, y, 0), 0) << words;
+        }
+    }
+}
+
+TEST_F(VoglPrograms, framesPrintOneLineOfTimes)
+{
+    writeBlob("blob.tif");
+    const ProgramRun run = folder.run("voglBasic", "blob.tif -frames 3 -size 32 32 -output last.png");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.errors, "");
+    EXPECT_EQ(run.output.find("3 frames, median "), 0u) << run.output;
+    EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 1);
+    EXPECT_EQ(vo::readPng(folder / "last.png")->bytes, draw("blob.tif -size 32 32").bytes)
+        << "the turn ends where it began";
+}
+
+TEST_F(VoglPrograms, withoutADisplayThePictureIsNamedAfterTheProgram)
+{
+    writeBlob("blob.tif");
+    const ProgramRun run = folder.run("voglBasic", "blob.tif -size 20 20");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_NE(run.errors.find("into voglBasic.png"), std::string::npos) << run.errors;
+    EXPECT_TRUE(vo::readPng(folder / "voglBasic.png"));
+}
+
+TEST_F(VoglPrograms, helpAndVersionNeedNoVolume)
+{
+    for (const char* program : {"voglBasic", "voglSimple"}) {
+        for (const char* word : {"-help", "--help", "-h"}) {
+            const ProgramRun run = folder.run(program, word);
+            EXPECT_EQ(run.status, 0);
+            EXPECT_NE(run.output.find("Example: "), std::string::npos);
+            EXPECT_NE(run.output.find("-view LATITUDE LONGITUDE"), std::string::npos);
+        }
+        EXPECT_EQ(folder.run(program, "--version").output.find('\n'),
+                  folder.run(program, "--version").output.size() - 1);
+    }
+}
+
+TEST_F(VoglPrograms, badInputIsOneLineAndLeavesNoPicture)
+{
+    writeBlob("blob.tif");
+    std::ofstream(folder / "junk.tif") << "this is no volume";
+    std::ofstream(folder / "letters.lut") << "0 0\n12 abc\n";
+    std::filesystem::copy(folder / "blob.tif", folder / "cut.tif");
+    std::filesystem::resize_file(folder / "cut.tif", std::filesystem::file_size(folder / "blob.tif") / 2);
+    const auto before = folder.files();
+    struct Case
+    {
+        const char* words;
+        const char* named;
+    };
+    for (const auto& [words, named] : std::vector<Case>{{"", "volume"},
+                                                        {"blob.tif blob.tif", "blob.tif"},
+                                                        {"missing.tif", "missing.tif"},
+                                                        {"junk.tif", "junk.tif"},
+                                                        {"cut.tif", "cut.tif"},
+                                                        {"blob.tif -colour", "-colour"},
+                                                        {"blob.tif -size 0 5", "-size"},
+                                                        {"blob.tif -size 2147483648 5", "-size"},
+                                                        {"blob.tif -size 16384 16384", "-size"},
+                                                        {"blob.tif -view 1 x", "-view"},
+                                                        {"blob.tif -lutFile missing.lut", "missing.lut"},
+                                                        {"blob.tif -lutFile letters.lut", "letters.lut"},
+                                                        {"blob.tif -overlap 24", "-overlap"},
+                                                        {"blob.tif -sampling 1e-6", "-sampling"},
+                                                        {"blob.tif -frames", "-frames"}}) {
+        const ProgramRun run = folder.run("voglBasic", "-output picture.png " + std::string(words));
+        EXPECT_EQ(run.status, 1) << words;
+        EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << words << ": " << run.errors;
+        EXPECT_EQ(run.output, "") << words;
+        EXPECT_EQ(folder.files(), before) << words;
+    }
+}
+
+TEST_F(VoglPrograms, unwritablePictureIsNamed)
+{
+    writeBlob("blob.tif");
+    const ProgramRun run = folder.run("voglBasic", "blob.tif -size 8 8 -output nowhere/picture.png");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.errors.find("nowhere/picture.png"), std::string::npos) << run.errors;
+}
+
+TEST_F(VoglPrograms, failureLeavesAnOlderPictureAlone)
+{
+    std::ofstream(folder / "picture.png") << "older";
+    EXPECT_EQ(folder.run("voglBasic", "missing.tif -output picture.png").status, 1);
+    EXPECT_EQ(vo::readFile(folder / "picture.png"), "older");
+}
+
+} // namespace
