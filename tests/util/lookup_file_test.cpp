@@ -123,6 +123,18 @@ TEST_F(LookupFileTest, tooFewAndTooManyEntriesFail)
     expectFails(text, {"a.lut: line 4097: expected at most 4096 entries"});
 }
 
+TEST_F(LookupFileTest, tablesThatShipAreReadAndBeginClear)
+{
+    for (const auto& [name, isColor] : {std::pair{"grey", false}, std::pair{"bone", true},
+                                        std::pair{"brain", true}, std::pair{"spectrum", true}}) {
+        const auto result = readLookupFile(std::string(VOLUMIZER_SOURCE_DIR "/data/tables/") + name + ".lut");
+        ASSERT_TRUE(result) << result.failure().text;
+        EXPECT_EQ(result->isColor, isColor);
+        EXPECT_EQ(result->rgba[3], 0.0f);
+        EXPECT_GT(result->rgba[4 * 255 + 3], 0.0f);
+    }
+}
+
 TEST_F(LookupFileTest, missingFolderAndDeviceAreTold)
 {
     expectSays(readLookupFile(folder_ / "none.lut").failure().text, {"none.lut: cannot open: No such file"});

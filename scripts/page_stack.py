@@ -1,0 +1,70 @@
+"""Writes a volume as a TIFF with one page for each slice, as util/volume_io does. Python 3 standard library only."""
+
+import os
+import struct
+import zlib
+
+SHORT, LONG = 3, 4
+DEFLATE = 8
+UNSIGNED, FLOAT = 1, 3
+HORIZONTAL, FLOATING_POINT = 2, 3
+
+
+def differences(row):
+    """Each byte less the one before it: small where a picture is smooth."""
+    return row[:1] + bytes((b - a) & 255 for a, b in zip(row, row[1:]))
+
+
+def predicted(row, bytes_per_voxel):
+    if bytes_per_voxel == 1:
+        return differences(row)
+    # Floats: the highest bytes of all voxels first, then the next ones, and so on.
+    return differences(b''.join(row[byte::4] for byte in (3, 2, 1, 0)))
+
+
+def page(offset, voxels, width, height, bytes_per_voxel, number, pages):
+    """One page that begins at `offset` of the file: its strip, then its directory without the link to the next.
+
+    Returns where the directory begins, and the bytes."""
+    rows = (voxels[i:i + width * bytes_per_voxel] for i in range(0, len(voxels), width * bytes_per_voxel))
+    strip = zlib.compress(b''.join(predicted(row, bytes_per_voxel) for row in rows), 9)
+    strip += bytes(len(strip) % 2)  # directories begin at even places
+    entries = [
+        (254, LONG, 1, 2),  # a page of several
+        (256, LONG, 1, width),
+        (257, LONG, 1, height),
+        (258, SHORT, 1, 8 * bytes_per_voxel),
+        (259, SHORT, 1, DEFLATE),
+        (262, SHORT, 1, 1),  # zero is black
+        (273, LONG, 1, offset),
+        (277, SHORT, 1, 1),
+        (278, LONG, 1, height),
+        (279, LONG, 1, len(strip)),
+        (284, SHORT, 1, 1),
+        (297, SHORT, 2, number | pages << 16),
+        (317, SHORT, 1, HORIZONTAL if bytes_per_voxel == 1 else FLOATING_POINT),
+        (339, SHORT, 1, UNSIGNED if bytes_per_voxel == 1 else FLOAT),
+    ]
+    table = struct.pack('<H', len(entries)) + b''.join(struct.pack('<HHII', *entry) for entry in entries)
+    return offset + len(strip), strip + table
+
+
+def write_page_stack(path, voxels, size, bytes_per_voxel):
+    """voxels: little-endian bytes, x fastest; bytes_per_voxel 1 (unsigned) or 4 (float). Page k is z = k."""
+    width, height, depth = size
+    slice_bytes = width * height * bytes_per_voxel
+    assert len(voxels) == slice_bytes * depth
+    pages = []
+    directories = []
+    end = 8
+    for z in range(depth):
+        slice_voxels = voxels[z * slice_bytes:(z + 1) * slice_bytes]
+        directory, data = page(end, slice_voxels, width, height, bytes_per_voxel, z, depth)
+        directories.append(directory)
+        pages.append(data)
+        end += len(data) + 4
+    links = directories[1:] + [0]
+    content = b''.join(data + struct.pack('<I', link) for data, link in zip(pages, links))
+    with open(path + '.partial', 'wb') as file:
+        file.write(b'II*\0' + struct.pack('<I', directories[0]) + content)
+    os.replace(path + '.partial', path)
