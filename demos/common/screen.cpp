@@ -10,8 +10,6 @@
 #include <memory>
 #include <vector>
 
-const GladGLContext* gl = nullptr;
-
 namespace vo {
 namespace {
 

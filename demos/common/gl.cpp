@@ -1,0 +1,3 @@
+#include "gl.h"
+
+const GladGLContext* gl = nullptr;
