@@ -7,7 +7,7 @@
 #include <limits>
 
 // A request that no memory can answer is to return null under the sanitizer too, as it does without.
-extern "C" const char* __asan_default_options()
+extern "C" __attribute__((visibility("default"))) const char* __asan_default_options()
 {
     return "allocator_may_return_null=1";
 }
@@ -28,6 +28,10 @@ TEST(MemoryBrickSource, hasNoVoxelsAtFirst)
 TEST(MemoryBrickSource, allocatedVoxelsAreZeroAndItsOwn)
 {
     MemoryBrickSource source(2);
+    // Memory that was used before, so that zeros are no accident.
+    ASSERT_TRUE(source.allocate(1, 1000));
+    std::fill(source.voxels(1).begin(), source.voxels(1).end(), std::byte{0xee});
+    source.release(1);
     ASSERT_TRUE(source.allocate(1, 1000));
     const auto voxels = source.voxels(1);
     ASSERT_EQ(voxels.size(), 1000u);
