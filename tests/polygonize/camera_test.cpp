@@ -113,6 +113,19 @@ TEST(Camera, viewHiddenInTheProjectionIsFound)
     }
 }
 
+TEST(Camera, obliqueNearPlaneDoesNotTurnTheDepth)
+{
+    glm::dmat4 projection = perspective(45, 1, 1, 100);
+    const glm::dvec4 oblique(0.3, -0.2, -0.8,
+                             -1.5); // a clip z of the application's own, to cut by the near plane
+    for (int column = 0; column < 4; ++column)
+        projection[column][2] = oblique[column];
+    const auto camera = vo::findCamera(lookAt(kEye, kTarget, kUp), projection);
+    ASSERT_TRUE(camera);
+    expectNear(camera->eye, kEye, 1e-10);
+    expectNear(camera->depthNormal, glm::normalize(kTarget - kEye), 1e-12);
+}
+
 TEST(Camera, cornersAreThoseOfTheViewVolume)
 {
     const auto camera = vo::findCamera(glm::dmat4(1), frustum(-1, 3, -2, 5, 2, 20));

@@ -59,6 +59,7 @@ void expectFacesInPlaneAndBox(const Cut& cut, std::span<const vo::Box> boxes)
         const vo::Box& box = boxes[static_cast<std::size_t>(face.brick)];
         for (int i = 0; i < face.count(); ++i) {
             const glm::dvec3 p = face.point(i);
+            EXPECT_NE(p, face.point((i + 1) % face.count()));
             EXPECT_LE(std::abs(glm::dot(cut.planes.normal, p) - cut.planes.offset(face.sample)) / length,
                       4 * kUlp);
             for (int axis = 0; axis < 3; ++axis) {
@@ -512,6 +513,44 @@ TEST(Polygonize, primitivePlanesDivideEachTetrahedron)
         for (std::size_t k = 0; k < areas.size(); ++k)
             EXPECT_NEAR(areas[k], expected[k], 1e-5 * expected[k] + 1e-6 * kSize * kSize);
     });
+}
+
+TEST(Polygonize, slicesTooSmallForSinglePrecisionAreDropped)
+{
+    TetraSet set;
+    for (const glm::dvec3& p : {glm::dvec3(1000), glm::dvec3(1008, 1000, 1008), glm::dvec3(1000, 1008, 1008),
+                                glm::dvec3(992, 992, 1008)})
+        set.add(p);
+    set.indices = {0, 1, 2, 3};
+    vo::Camera view;
+    view.direction = view.depthNormal = {0, 0, 1};
+    view.nearDepth = 1000 + 1e-6; // less than half a unit in the last place from the tip
+    view.farDepth = 1004;
+    vo::SamplingRequest request = everyVoxel(2);
+    request.space = vo::SamplingSpace::viewVolume;
+    const std::vector<vo::Box> boxes{{glm::dvec3(900), glm::dvec3(1100)}};
+    const Cut cut = cutUp(set, boxes, view, request);
+    ASSERT_EQ(cut.faces.all.size(), 1u);
+    EXPECT_EQ(cut.faces.all[0].sample, 0);
+}
+
+TEST(Polygonize, verticesThatSinglePrecisionCannotTellApartAreOne)
+{
+    TetraSet set;
+    for (const glm::dvec3& p : {glm::dvec3(1000, 1000, 1008), glm::dvec3(1008, 1000, 1000),
+                                glm::dvec3(1000, 1008, 992), glm::dvec3(992, 992, 992)})
+        set.add(p);
+    set.indices = {0, 1, 2, 3};
+    vo::Camera view;
+    view.direction = view.depthNormal = {0, 0, 1};
+    view.nearDepth = 990;
+    view.farDepth = 1000 - 1e-6; // cuts off the second vertex with an edge of a micron
+    vo::SamplingRequest request = everyVoxel(1);
+    request.space = vo::SamplingSpace::viewVolume;
+    const std::vector<vo::Box> boxes{{glm::dvec3(900), glm::dvec3(1100)}};
+    const Cut cut = cutUp(set, boxes, view, request);
+    ASSERT_EQ(cut.faces.all.size(), 1u);
+    EXPECT_EQ(cut.faces.all[0].count(), 3);
 }
 
 TEST(Polygonize, nothingToCutGivesNoFaces)

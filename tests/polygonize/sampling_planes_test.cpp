@@ -126,6 +126,20 @@ TEST(SamplingPlanes, onlyVerticesThatAreUsedCount)
     EXPECT_EQ(vo::samplingPlanes(set.view(), orthographic({0, 0, 1}), everyVoxel()).count, 64);
 }
 
+TEST(SamplingPlanes, verticesThatAreNotFiniteCountAsAbsent)
+{
+    TetraSet set = cube(kSize);
+    const int bad = static_cast<int>(set.records.size() / 3);
+    set.add({0, 0, HUGE_VAL});
+    set.add({std::nan(""), 0, 1000});
+    for (const int vertex : {0, 1, bad, bad + 1})
+        set.indices.push_back(vertex);
+    const auto planes = vo::samplingPlanes(set.view(), orthographic({0.1, 0.1, 1}), everyVoxel());
+    const auto expected = vo::samplingPlanes(cube(kSize).view(), orthographic({0.1, 0.1, 1}), everyVoxel());
+    EXPECT_EQ(planes.count, expected.count);
+    EXPECT_EQ(planes.first, expected.first);
+}
+
 TEST(SamplingPlanes, perspectiveMeasuresAlongTheRayThroughTheCentre)
 {
     // The set's centre lies 45 degrees aside: along the ray, planes of constant depth are sqrt(2) farther
@@ -178,6 +192,21 @@ TEST(SamplingPlanes, viewVolumeHasPlanesOnBothEnds)
     EXPECT_NEAR(vo::samplingPlanes(cube(1).view(), view, request).offset(1), 0.25, 1.0);
     request.maxSamples = 1;
     EXPECT_EQ(vo::samplingPlanes(cube(1).view(), view, request).count, 1);
+}
+
+TEST(SamplingPlanes, viewVolumeEndsStayWhenTheSetLiesAside)
+{
+    vo::SamplingRequest request = everyVoxel();
+    request.space = SamplingSpace::viewVolume;
+    const vo::Camera view =
+        vo::findCamera(gl_matrices::translate({60, 0, -90}), gl_matrices::perspective(90, 1, 50, 150))
+            .value();
+    const auto planes = vo::samplingPlanes(cube(glm::dvec3(-1), glm::dvec3(1)).view(), view, request);
+    const double alongRay = std::hypot(60.0, 90.0) / 90.0; // lengths along the view to depths
+    EXPECT_EQ(planes.count, 1 + static_cast<int>(std::ceil(100 * alongRay)));
+    const auto depth = [&](int k) { return planes.offset(k) / glm::length(planes.normal); };
+    EXPECT_NEAR(depth(0), view.farDepth, 1e-9);
+    EXPECT_NEAR(depth(planes.count - 1), view.nearDepth, 1e-9);
 }
 
 TEST(SamplingPlanes, axisAlignedViewVolumeSpansTheFrustumsCorners)

@@ -155,7 +155,7 @@ TEST(CutEdge, bothDirectionsGiveTheSameBits)
 
 TEST(CutEdge, endOnThePlaneIsReturnedUnchanged)
 {
-    const double a[3]{0.1, 0.2, 0.3}, b[3]{0.7, 0.1, 1e9};
+    const double a[3]{0.1, 0.2, 1e9 / 3}, b[3]{0.7, 0.1, 0.3}; // a + (b - a) is not b
     double point[3];
     vo::cutEdge(a, b, 0.0, -3.0, 3, point);
     EXPECT_TRUE(std::equal(point, point + 3, a));
