@@ -178,6 +178,8 @@ TEST_P(Formats, showTheColourThatTheirVoxelsMean)
                 const auto t = static_cast<voDataType>(type);
                 const auto e = static_cast<voExternalFormatType>(external);
                 if (isPacked(t) && channelsOf(e) != 4) continue;
+                // Three channels have no alpha to come first.
+                if (t == Type::UNSIGNED_BYTE_3_3_2_EXT && e == External::ABGR_EXT) continue;
                 const Voxel voxel = voxelOf(t, channelsOf(e));
                 const Color expected = sampledAs(colorOf(voxel.means, e), internal);
                 const std::array<float, 4> found = drawnColor(*context_, internal, e, t, voxel);
@@ -188,7 +190,7 @@ TEST_P(Formats, showTheColourThatTheirVoxelsMean)
                         << ", component " << c;
                 ++drawn;
             }
-    EXPECT_EQ(drawn, 7 * 5 * 7 + 5 * 2 * 7);
+    EXPECT_EQ(drawn, 7 * 5 * 7 + 4 * 2 * 7 + 7);
 }
 
 TEST_P(Formats, negativeVoxelsAreBlack)
