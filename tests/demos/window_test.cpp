@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+// After GoogleTest: it defines None, True and other plain words.
+#include <X11/Xlib.h>
+#include <X11/keysym.h>
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -37,16 +41,27 @@ public:
         execvp(arguments[0], arguments.data());
         _exit(127);
     }
-    ~Child() { end(); }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    void end()
+    ~Child()
     {
         if (id_ <= 0) return;
         kill(id_, SIGTERM);
         waitpid(id_, nullptr, 0);
-        id_ = 0;
+    }
+    Child(const Child&) = delete;
+    Child& operator=(const Child&) = delete;
+
+    /// Waits until it leaves by itself, at most a minute; its exit status, or -1.
+    int waitForEnd()
+    {
+        for (int i = 0; i < 600; ++i) {
+            int status = 0;
+            if (waitpid(id_, &status, WNOHANG) == id_) {
+                id_ = 0;
+                return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+            }
+            std::this_thread::sleep_for(100ms);
+        }
+        return -1;
     }
 
 private:
@@ -80,6 +95,63 @@ Picture readScreen(const std::filesystem::path& file, int width, int height)
     return picture;
 }
 
+/// A user at the display: the only window there, and what is done to it.
+class User
+{
+public:
+    explicit User(const std::string& display) : display_(XOpenDisplay((":" + display).c_str()))
+    {
+        Window root = 0, parent = 0, *children = nullptr;
+        unsigned count = 0;
+        XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count);
+        for (unsigned i = 0; i < count; ++i) {
+            XWindowAttributes attributes;
+            XGetWindowAttributes(display_, children[i], &attributes);
+            if (attributes.map_state == IsViewable) window_ = children[i];
+        }
+        if (children) XFree(children);
+    }
+    ~User() { XCloseDisplay(display_); }
+    User(const User&) = delete;
+    User& operator=(const User&) = delete;
+
+    void movePointer(int x, int y)
+    {
+        XWarpPointer(display_, 0, window_, 0, 0, 0, 0, x, y);
+        XSync(display_, False);
+    }
+    void button(unsigned number, bool down)
+    {
+        XEvent event{};
+        event.xbutton.type = down ? ButtonPress : ButtonRelease;
+        event.xbutton.button = number;
+        send(event);
+    }
+    void key(KeySym symbol)
+    {
+        XEvent event{};
+        event.xkey.type = KeyPress;
+        event.xkey.keycode = XKeysymToKeycode(display_, symbol);
+        send(event);
+    }
+    void resize(unsigned width, unsigned height)
+    {
+        XResizeWindow(display_, window_, width, height);
+        XSync(display_, False);
+    }
+
+private:
+    void send(XEvent& event)
+    {
+        event.xkey.window = window_;
+        XSendEvent(display_, window_, True, NoEventMask, &event);
+        XSync(display_, False);
+    }
+
+    Display* display_;
+    ::Window window_ = 0;
+};
+
 bool installed(const std::string& program)
 {
     return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
@@ -88,14 +160,23 @@ bool installed(const std::string& program)
 class WindowTest : public testing::TestWithParam<const char*>
 {
 protected:
-    static constexpr int kSize = 200;
+    void SetUp() override
+    {
+        if (!installed("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
+        vo::writeBytes(folder / "blob.tif", 24, 20, 16, [](int x, int y, int z) {
+            return std::max(0,
+                            250 - 3 * ((x - 9) * (x - 9) + 2 * (y - 12) * (y - 12) + 3 * (z - 6) * (z - 6)));
+        });
+        displayNumber = startDisplay();
+        ASSERT_NE(displayNumber, "") << vo::readFile(folder / "Xvfb.log");
+    }
 
     /// Starts Xvfb on a free display; its number, or "" when it does not start.
     std::string startDisplay()
     {
         int ends[2];
         if (pipe(ends) != 0) return "";
-        display_ = std::make_unique<Child>(
+        display = std::make_unique<Child>(
             std::vector<std::string>{"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0",
                                      "320x240x24", "-fbdir", folder.path(), "-nolisten", "tcp"},
             folder / "Xvfb.log");
@@ -107,48 +188,82 @@ protected:
         return number;
     }
 
-    /// Waits until the window shows `expected` within 1, at most a minute; what the screen showed last.
-    Picture waitForPicture(const Picture& expected)
+    std::unique_ptr<Child> startProgram()
     {
-        Picture shown;
-        for (int i = 0; i < 600; ++i) {
-            shown = readScreen(folder / "Xvfb_screen0", kSize, kSize);
-            if (!shown.bytes.empty() && vo::difference(shown, expected).largest <= 1) break;
-            std::this_thread::sleep_for(100ms);
+        std::vector<std::string> line{"env",
+                                      "DISPLAY=:" + displayNumber,
+                                      std::string(VOLUMIZER_PROGRAMS) + "/voglBasic",
+                                      folder / "blob.tif",
+                                      "-view",
+                                      "20",
+                                      "30",
+                                      "-size",
+                                      "200",
+                                      "200"};
+        if (*GetParam()) line.push_back(GetParam());
+        return std::make_unique<Child>(line, folder / "window.log");
+    }
+
+    /// Expects that the window comes to show, within 1, what the words draw without a window.
+    void expectShown(const std::string& words)
+    {
+        const auto run = folder.run("voglBasic", "blob.tif -output picture.png " + words + " " + GetParam());
+        ASSERT_EQ(run.status, 0) << run.errors;
+        const auto expected = vo::readPng(folder / "picture.png");
+        ASSERT_TRUE(expected);
+        ASSERT_GT(*std::max_element(expected->bytes.begin(), expected->bytes.end()), 50);
+        vo::PictureDifference apart{255, 0};
+        for (int i = 0; i < 600 && apart.largest > 1; ++i) {
+            const Picture shown = readScreen(folder / "Xvfb_screen0", expected->width, expected->height);
+            if (!shown.bytes.empty()) apart = vo::difference(shown, *expected);
+            if (apart.largest > 1) std::this_thread::sleep_for(100ms);
         }
-        return shown;
+        EXPECT_LE(apart.largest, 1) << words << ": " << vo::readFile(folder / "window.log");
     }
 
     vo::ScratchFolder folder;
-    std::unique_ptr<Child> display_;
+    std::unique_ptr<Child> display;
+    std::string displayNumber;
 };
 
 TEST_P(WindowTest, windowShowsTheFrameThatIsWrittenWithoutOne)
 {
-    if (!installed("Xvfb")) GTEST_SKIP() << "Xvfb is not installed";
-    vo::writeBytes(folder / "blob.tif", 24, 20, 16, [](int x, int y, int z) {
-        return std::max(0, 250 - 3 * ((x - 9) * (x - 9) + 2 * (y - 12) * (y - 12) + 3 * (z - 6) * (z - 6)));
-    });
-    const std::string words = std::string("blob.tif -view 20 30 -size 200 200 ") + GetParam();
-    const auto offscreen = folder.run("voglBasic", words + " -output picture.png");
-    ASSERT_EQ(offscreen.status, 0) << offscreen.errors;
-    const auto expected = vo::readPng(folder / "picture.png");
-    ASSERT_TRUE(expected);
-    ASSERT_GT(*std::max_element(expected->bytes.begin(), expected->bytes.end()), 50);
-
-    const std::string display = startDisplay();
-    ASSERT_NE(display, "") << vo::readFile(folder / "Xvfb.log");
-    const std::string program = std::string(VOLUMIZER_PROGRAMS) + "/voglBasic";
-    std::vector<std::string> line{
-        "env", "DISPLAY=:" + display, program, folder / "blob.tif", "-view", "20", "30", "-size", "200",
-        "200"};
-    if (*GetParam()) line.push_back(GetParam());
-    const Child window(line, folder / "window.log");
-    const Picture shown = waitForPicture(*expected);
-    ASSERT_FALSE(shown.bytes.empty()) << "the screen cannot be read";
-    const auto apart = vo::difference(shown, *expected);
-    EXPECT_LE(apart.largest, 1) << vo::readFile(folder / "window.log");
+    const auto program = startProgram();
+    expectShown("-view 20 30 -size 200 200");
     EXPECT_EQ(vo::readFile(folder / "window.log"), "");
+}
+
+TEST_P(WindowTest, windowFollowsMouseSizeAndKeys)
+{
+    const auto program = startProgram();
+    expectShown("-view 20 30 -size 200 200");
+    User user(displayNumber);
+
+    user.movePointer(100, 100);
+    user.button(1, true);
+    std::this_thread::sleep_for(200ms);
+    user.movePointer(150, 120);
+    expectShown("-view 18 25 -size 200 200");
+    user.button(1, false);
+    std::this_thread::sleep_for(200ms);
+    user.movePointer(10, 10);
+
+    user.resize(150, 120);
+    expectShown("-view 18 25 -size 150 120");
+
+    user.movePointer(40, 70);
+    user.button(2, true);
+    std::this_thread::sleep_for(200ms);
+    user.movePointer(45, 60); // center 45 / 150, width 2 * 60 / 120 of 0 to 255
+    expectShown("-view 18 25 -size 150 120 -lut 76.5 255");
+    user.button(2, false);
+
+    user.key(XK_r);
+    expectShown("-view 20 30 -size 150 120 -lut 76.5 255");
+    user.key(XK_h);
+    user.key(XK_Escape);
+    EXPECT_EQ(program->waitForEnd(), 0);
+    EXPECT_NE(vo::readFile(folder / "window.log").find("Left drag"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothProfiles, WindowTest, testing::Values("", "-core"),
