@@ -43,7 +43,9 @@ private:
 
 inline void ForeignTiff::write(const std::string& path) const
 {
-    TIFFSetWarningHandler(nullptr);
+    // What libtiff warns of in writing (old codec numbers) is wanted; in reading it must be the reader that
+    // is silent.
+    const TIFFErrorHandler warnings = TIFFSetWarningHandler(nullptr);
     TIFF* tiff = TIFFOpen(path.c_str(), mode);
     ASSERT_NE(tiff, nullptr);
     for (std::uint32_t page = 0; page < (depth > 1 ? 1 : pages); ++page) {
@@ -59,6 +61,7 @@ inline void ForeignTiff::write(const std::string& path) const
         TIFFWriteDirectory(tiff);
     }
     TIFFClose(tiff);
+    TIFFSetWarningHandler(warnings);
 }
 
 inline void ForeignTiff::setFields(TIFF* tiff, std::uint32_t page) const

@@ -59,7 +59,7 @@ TEST(TiffStack, compressedBrickDecodesOnlyTheStripsItMeets)
     ASSERT_TRUE(writeTiffStack(folder / "a.tif", truth.info(), truth.whole(), {Compression::deflate}));
     auto volume = openVolume(folder / "a.tif");
     ASSERT_TRUE(volume);
-    readBrick(*volume, {{10, 15, 1}, {16, 2, 1}});
+    readBrick(*volume, {{10, 31, 1}, {16, 2, 1}});
     EXPECT_EQ(volume->counters().slices, 1);
     EXPECT_EQ(volume->counters().rows, 32);
 }
@@ -87,6 +87,16 @@ TEST(TiffStack, thousandsOfSlicesRoundTrip)
     auto volume = openVolume(folder / "a.tif");
     ASSERT_TRUE(volume) << volume.failure().text;
     expectReadsAs(*volume, truth);
+}
+
+TEST(VolumeBytes, areCountedWithoutOverflow)
+{
+    EXPECT_EQ(*volumeBytes({2147483647, 2147483647, 1}, 2), 2 * 2147483647ll * 2147483647ll);
+    EXPECT_FALSE(volumeBytes({2147483647, 2147483647, 1}, 4));
+    EXPECT_FALSE(volumeBytes({2147483647, 2147483647, 2147483647}, 1));
+    EXPECT_FALSE(volumeBytes({2147483648, 1, 1}, 1));
+    EXPECT_FALSE(volumeBytes({1, 0, 1}, 1));
+    EXPECT_FALSE(volumeBytes({1, 1, -1}, 1));
 }
 
 TEST(TiffStack, brickMemoryOfTheWrongSizeFails)
