@@ -44,6 +44,13 @@ FloatTarget::~FloatTarget()
     context_.gl.DeleteRenderbuffers(1, &depthStencil_);
 }
 
+int FloatTarget::largestSize(const ContextRecord& context)
+{
+    GLint size = 0;
+    context.gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &size);
+    return size;
+}
+
 void FloatTarget::begin()
 {
     if (active_) return;

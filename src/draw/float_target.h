@@ -16,6 +16,9 @@ public:
     FloatTarget(const FloatTarget&) = delete;
     FloatTarget& operator=(const FloatTarget&) = delete;
 
+    /// Pixels that a side may have at most.
+    static int largestSize(const ContextRecord& context);
+
     void begin();
     void end();
     void show(int x, int y) const;

@@ -98,4 +98,34 @@ ScopedDrawState::~ScopedDrawState()
     gl_.UseProgram(static_cast<GLuint>(program_));
 }
 
+ScopedTextureBindings::ScopedTextureBindings(const GladGLContext& gl) : gl_(gl)
+{
+    gl_.GetIntegerv(GL_TEXTURE_BINDING_3D, &bound3d_);
+    gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d_);
+}
+
+ScopedTextureBindings::~ScopedTextureBindings()
+{
+    gl_.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(bound3d_));
+    gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d_));
+}
+
+ScopedPolygonMode::ScopedPolygonMode(const ContextRecord& context, GLenum mode)
+    : context_(context), saved_{GL_FILL, GL_FILL}
+{
+    context_.gl.GetIntegerv(GL_POLYGON_MODE, saved_);
+    context_.gl.PolygonMode(GL_FRONT_AND_BACK, mode);
+}
+
+ScopedPolygonMode::~ScopedPolygonMode()
+{
+    const auto front = static_cast<GLenum>(saved_[0]), back = static_cast<GLenum>(saved_[1]);
+    if (context_.core || front == back) {
+        context_.gl.PolygonMode(GL_FRONT_AND_BACK, front);
+        return;
+    }
+    context_.gl.PolygonMode(GL_FRONT, front);
+    context_.gl.PolygonMode(GL_BACK, back);
+}
+
 } // namespace vo

@@ -61,4 +61,33 @@ private:
     GLint tableSampler_ = 0;
 };
 
+/// The textures that the active unit has bound, given back at the end of the scope.
+class ScopedTextureBindings
+{
+public:
+    explicit ScopedTextureBindings(const GladGLContext& gl);
+    ~ScopedTextureBindings();
+    ScopedTextureBindings(const ScopedTextureBindings&) = delete;
+    ScopedTextureBindings& operator=(const ScopedTextureBindings&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    GLint bound3d_ = 0;
+    GLint bound2d_ = 0;
+};
+
+/// Another polygon mode for front and back, while the scope lasts.
+class ScopedPolygonMode
+{
+public:
+    ScopedPolygonMode(const ContextRecord& context, GLenum mode);
+    ~ScopedPolygonMode();
+    ScopedPolygonMode(const ScopedPolygonMode&) = delete;
+    ScopedPolygonMode& operator=(const ScopedPolygonMode&) = delete;
+
+private:
+    const ContextRecord& context_;
+    GLint saved_[2];
+};
+
 } // namespace vo

@@ -3,6 +3,7 @@
 #include "core/log.h"
 #include "draw/draw_faces.h"
 #include "draw/draw_state.h"
+#include "draw/scoped_state.h"
 #include "sort/brick_order.h"
 
 #include <string>
@@ -106,15 +107,8 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Polyg
         debug(2, std::string("frame: ") + (anew ? "new" : "kept") + " polygons, " +
                      std::to_string(cache.samples()) + " samples, drawn as slices");
 
-    const GladGLContext& gl = context.gl;
-    GLint bound3d = 0, bound2d = 0;
-    gl.GetIntegerv(GL_TEXTURE_BINDING_3D, &bound3d);
-    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d);
-    const FrameResult result =
-        drawBricks(context, request, cache, backToFront(request.clipBoxes, *camera), state);
-    gl.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(bound3d));
-    gl.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d));
-    return result;
+    const ScopedTextureBindings bindings(context.gl);
+    return drawBricks(context, request, cache, backToFront(request.clipBoxes, *camera), state);
 }
 
 void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions)

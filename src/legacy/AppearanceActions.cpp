@@ -8,7 +8,8 @@
 
 #include "appearance/convert_voxels.h"
 #include "appearance/transposed_stacks.h"
-#include "core/log.h"
+#include "draw/scoped_state.h"
+#include "draw/texturing.h"
 
 #include <glm/geometric.hpp>
 
@@ -124,15 +125,10 @@ void bind(voTexture3D& texture, bool always)
 /// Binds every brick of the current set once and gives the caller's bindings back.
 void makeResident(voBrickSetCollection& volume)
 {
-    vo::ContextRecord& context = vo::requireContext();
-    GLint bound3d = 0, bound2d = 0;
-    context.gl.GetIntegerv(GL_TEXTURE_BINDING_3D, &bound3d);
-    context.gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &bound2d);
+    const vo::ScopedTextureBindings bindings(vo::requireContext().gl);
     voBrickSetIterator bricks(volume.getCurrentBrickSet());
     for (voBrick* brick; (brick = bricks());)
         if (brick->getDataPtr()) bind(*brick, false);
-    context.gl.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(bound3d));
-    context.gl.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d));
 }
 
 std::vector<vo::BrickVoxels> bricksOf(voBrickSet& set)
@@ -153,22 +149,9 @@ std::vector<vo::BrickVoxels> bricksOf(voBrickSet& set)
     return bricks;
 }
 
-GLenum targetOf(voInterpolationType type)
+bool isTwoDimensional(voInterpolationType type)
 {
-    return vo::resolveInterpolation(type) == voInterpolationTypeScope::_2D ? GL_TEXTURE_2D : GL_TEXTURE_3D;
-}
-
-void setTexgen(vo::ContextRecord& context, bool enabled)
-{
-    if (context.core) {
-        context.state.texgen = enabled;
-        return;
-    }
-    const GladGLContext& gl = context.gl;
-    for (const GLenum coordinate : {GL_S, GL_T, GL_R})
-        gl.TexGeni(coordinate, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
-    for (const GLenum generation : {GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R})
-        enabled ? gl.Enable(generation) : gl.Disable(generation);
+    return vo::resolveInterpolation(type) == voInterpolationTypeScope::_2D;
 }
 
 vo::TexgenPlanes planesOf(const voBrick& brick)
@@ -413,50 +396,30 @@ voBool voAppearanceActions::cliqueTest(voTexture3D*, voTexture3D*)
 
 void voAppearanceActions::textureEnable(voInterpolationType interpolationType)
 {
-    guarded("voAppearanceActions::textureEnable", [&] {
-        const GLenum target = targetOf(interpolationType);
-        vo::ContextRecord& context = vo::requireContext();
-        if (context.core)
-            context.state.enabledTarget = target;
-        else
-            context.gl.Enable(target);
-    });
+    guarded("voAppearanceActions::textureEnable",
+            [&] { vo::enableTexturing(vo::requireContext(), isTwoDimensional(interpolationType), true); });
 }
 
 void voAppearanceActions::textureDisable(voInterpolationType interpolationType)
 {
-    guarded("voAppearanceActions::textureDisable", [&] {
-        const GLenum target = targetOf(interpolationType);
-        vo::ContextRecord& context = vo::requireContext();
-        if (!context.core)
-            context.gl.Disable(target);
-        else if (context.state.enabledTarget == target)
-            context.state.enabledTarget = 0;
-    });
+    guarded("voAppearanceActions::textureDisable",
+            [&] { vo::enableTexturing(vo::requireContext(), isTwoDimensional(interpolationType), false); });
 }
 
 void voAppearanceActions::texgenEnable()
 {
-    guarded("voAppearanceActions::texgenEnable", [] { setTexgen(vo::requireContext(), true); });
+    guarded("voAppearanceActions::texgenEnable", [] { vo::enableTexgen(vo::requireContext(), true); });
 }
 
 void voAppearanceActions::texgenDisable()
 {
-    guarded("voAppearanceActions::texgenDisable", [] { setTexgen(vo::requireContext(), false); });
+    guarded("voAppearanceActions::texgenDisable", [] { vo::enableTexgen(vo::requireContext(), false); });
 }
 
 void voAppearanceActions::texgenSetEquation(voBrick* brick)
 {
-    guarded("voAppearanceActions::texgenSetEquation", [&] {
-        const vo::TexgenPlanes planes = planesOf(required(brick, "brick"));
-        vo::ContextRecord& context = vo::requireContext();
-        constexpr GLenum coordinates[] = {GL_S, GL_T, GL_R};
-        for (std::size_t i = 0; i < 3; ++i)
-            if (context.core)
-                context.state.texgenPlanes[i] = planes.rows[i];
-            else
-                context.gl.TexGenfv(coordinates[i], GL_OBJECT_PLANE, &planes.rows[i][0]);
-    });
+    guarded("voAppearanceActions::texgenSetEquation",
+            [&] { vo::setTexgenPlanes(vo::requireContext(), planesOf(required(brick, "brick"))); });
 }
 
 int voAppearanceActions::textureBind(voTexture3D* texture)

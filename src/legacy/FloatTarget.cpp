@@ -29,8 +29,7 @@ voFloatTarget::voFloatTarget(int width, int height) : d(new Private)
 {
     guarded("voFloatTarget", [&] {
         vo::ContextRecord& context = vo::requireContext();
-        GLint limit = 0;
-        context.gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &limit);
+        const int limit = vo::FloatTarget::largestSize(context);
         if (width < 1 || height < 1 || width > limit || height > limit)
             badValue(std::to_string(width) + " x " + std::to_string(height) + " pixels, 1 to " +
                      std::to_string(limit) + " are possible");

@@ -5,6 +5,7 @@
 
 #include "draw/draw_faces.h"
 #include "draw/draw_state.h"
+#include "draw/scoped_state.h"
 #include "frame/frame.h"
 #include "polygonize/clip_polygon.h"
 #include "polygonize/slice_tetra.h"
@@ -107,33 +108,6 @@ vo::RecordLayout drawLayout(int format, int values)
                  std::to_string(values));
     return layout;
 }
-
-/// The mode of the call, while it lasts.
-class ScopedPolygonMode
-{
-public:
-    ScopedPolygonMode(vo::ContextRecord& context, GLenum mode) : context_(context)
-    {
-        context_.gl.GetIntegerv(GL_POLYGON_MODE, saved_);
-        context_.gl.PolygonMode(GL_FRONT_AND_BACK, mode);
-    }
-    ~ScopedPolygonMode()
-    {
-        const auto front = static_cast<GLenum>(saved_[0]), back = static_cast<GLenum>(saved_[1]);
-        if (context_.core || front == back) {
-            context_.gl.PolygonMode(GL_FRONT_AND_BACK, front);
-            return;
-        }
-        context_.gl.PolygonMode(GL_FRONT, front);
-        context_.gl.PolygonMode(GL_BACK, back);
-    }
-    ScopedPolygonMode(const ScopedPolygonMode&) = delete;
-    ScopedPolygonMode& operator=(const ScopedPolygonMode&) = delete;
-
-private:
-    vo::ContextRecord& context_;
-    GLint saved_[2] = {GL_FILL, GL_FILL};
-};
 
 void checkMode(GLenum mode)
 {
@@ -411,7 +385,7 @@ void voGeometryActions::draw(voIndexedFaceSet* faceSet, GLenum mode, voInterleav
     guarded("voGeometryActions::draw", [&] {
         checkMode(mode);
         voIndexedFaceSet& faces = required(faceSet, "faceSet");
-        const ScopedPolygonMode scope(vo::requireContext(), mode);
+        const vo::ScopedPolygonMode scope(vo::requireContext(), mode);
         drawFaceSet(faces, &mode, format);
     });
 }
@@ -427,7 +401,7 @@ void voGeometryActions::draw(voIndexedTetraSet* tetraSet, GLenum mode, voInterle
     guarded("voGeometryActions::draw", [&] {
         checkMode(mode);
         voIndexedTetraSet& tetras = required(tetraSet, "tetraSet");
-        const ScopedPolygonMode scope(vo::requireContext(), mode);
+        const vo::ScopedPolygonMode scope(vo::requireContext(), mode);
         drawTetraSet(tetras, &mode, format);
     });
 }
