@@ -232,13 +232,16 @@ std::vector<vo::FrameBrick> frameBricks(const voBrickSet& set)
     return bricks;
 }
 
+/// A frame of more samples than this would never end: "no bound" from a program means this many.
+constexpr int kMostFrameSamples = 1 << 16;
+
 /// As many samples as the finest period can ask for along the diagonal of the tetrahedra, without a cache to
 /// say.
 int defaultMaxSamples(const voBrickSet& set)
 {
     int x, y, z;
     set.getVolumeSizes(x, y, z);
-    return static_cast<int>(std::min<long long>(2LL * std::max({x, y, z}), INT_MAX));
+    return static_cast<int>(std::min<long long>(2LL * std::max({x, y, z}), kMostFrameSamples));
 }
 
 void throwOnFailure(vo::FrameResult result)
@@ -576,7 +579,7 @@ voDrawActionCache::voDrawActionCache(voIndexedTetraSet*, voBrickSetCollection*, 
         d->samplingMode = samplingMode;
         if (maxSamplesNumber < 1)
             badValue("at most " + std::to_string(maxSamplesNumber) + " samples, 1 or more are needed");
-        d->maxSamples = maxSamplesNumber;
+        d->maxSamples = std::min(maxSamplesNumber, kMostFrameSamples);
     });
 }
 
