@@ -6,6 +6,7 @@ import zlib
 
 SHORT, LONG = 3, 4
 DEFLATE = 8
+STRIP_BYTES = 16384
 UNSIGNED, FLOAT = 1, 3
 HORIZONTAL, FLOATING_POINT = 2, 3
 
@@ -22,13 +23,30 @@ def predicted(row, bytes_per_voxel):
     return differences(b''.join(row[byte::4] for byte in (3, 2, 1, 0)))
 
 
+def strips_of(voxels, width, bytes_per_voxel):
+    """The compressed strips of a slice, and how many rows each of them but the last holds."""
+    row_bytes = width * bytes_per_voxel
+    rows = [predicted(voxels[i:i + row_bytes], bytes_per_voxel) for i in range(0, len(voxels), row_bytes)]
+    rows_per_strip = min(max(1, STRIP_BYTES // row_bytes), len(rows))
+    groups = (rows[i:i + rows_per_strip] for i in range(0, len(rows), rows_per_strip))
+    return [zlib.compress(b''.join(group), 9) for group in groups], rows_per_strip
+
+
 def page(offset, voxels, width, height, bytes_per_voxel, number, pages):
-    """One page that begins at `offset` of the file: its strip, then its directory without the link to the next.
+    """One page that begins at `offset` of the file: its strips, then their tables, then its directory without the link
+    to the next.
 
     Returns where the directory begins, and the bytes."""
-    rows = (voxels[i:i + width * bytes_per_voxel] for i in range(0, len(voxels), width * bytes_per_voxel))
-    strip = zlib.compress(b''.join(predicted(row, bytes_per_voxel) for row in rows), 9)
-    strip += bytes(len(strip) % 2)  # directories begin at even places
+    strips, rows_per_strip = strips_of(voxels, width, bytes_per_voxel)
+    data = b''.join(strips)
+    data += bytes(len(data) % 2)  # tables and directories begin at even places
+    offsets = [offset + sum(map(len, strips[:i])) for i in range(len(strips))]
+    lengths = [len(strip) for strip in strips]
+    table = offset + len(data)
+    if len(strips) > 1:
+        data += struct.pack('<%dI' % (2 * len(strips)), *offsets, *lengths)
+    else:
+        table = None
     entries = [
         (254, LONG, 1, 2),  # a page of several
         (256, LONG, 1, width),
@@ -36,17 +54,17 @@ def page(offset, voxels, width, height, bytes_per_voxel, number, pages):
         (258, SHORT, 1, 8 * bytes_per_voxel),
         (259, SHORT, 1, DEFLATE),
         (262, SHORT, 1, 1),  # zero is black
-        (273, LONG, 1, offset),
+        (273, LONG, len(strips), table or offsets[0]),
         (277, SHORT, 1, 1),
-        (278, LONG, 1, height),
-        (279, LONG, 1, len(strip)),
+        (278, LONG, 1, rows_per_strip),
+        (279, LONG, len(strips), table + 4 * len(strips) if table else lengths[0]),
         (284, SHORT, 1, 1),
         (297, SHORT, 2, number | pages << 16),
         (317, SHORT, 1, HORIZONTAL if bytes_per_voxel == 1 else FLOATING_POINT),
         (339, SHORT, 1, UNSIGNED if bytes_per_voxel == 1 else FLOAT),
     ]
-    table = struct.pack('<H', len(entries)) + b''.join(struct.pack('<HHII', *entry) for entry in entries)
-    return offset + len(strip), strip + table
+    directory = struct.pack('<H', len(entries)) + b''.join(struct.pack('<HHII', *entry) for entry in entries)
+    return offset + len(data), data + directory
 
 
 def write_page_stack(path, voxels, size, bytes_per_voxel):

@@ -11,7 +11,8 @@
 namespace vo {
 namespace {
 
-constexpr std::int64_t kStripBytes = 65536;
+// Small enough that a brick of a compressed file decodes little beside its own rows.
+constexpr std::int64_t kStripBytes = 16384;
 constexpr std::int64_t kMostPages = 1048576; // libtiff follows no more
 // Where classic TIFF ends, less a reserve for the directory that is being written.
 constexpr std::int64_t kClassicLimit = (std::int64_t(1) << 32) - (1 << 20);
