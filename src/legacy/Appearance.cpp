@@ -60,7 +60,7 @@ voTexture3D::voTexture3D(voInternalFormatType internalFormat, voExternalFormatTy
         const voDataType type = vo::resolveDataType(dataType);
         vo::texelFormat(internal);
         if (!vo::isValid({vo::channels(external), vo::voxelType(type)}))
-            vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+            vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels, 3_3_2 needs RGBA");
         d->internalFormat = internal;
         d->externalFormat = external;
         d->dataType = type;
@@ -332,7 +332,7 @@ VolumeRequest checkedRequest(const vo::BrickGridRequest& grid, int partial, int 
     request.dataType = vo::resolveDataType(dataType);
     vo::texelFormat(request.internalFormat);
     if (!vo::isValid({vo::channels(request.externalFormat), vo::voxelType(request.dataType)}))
-        vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+        vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels, 3_3_2 needs RGBA");
     return request;
 }
 

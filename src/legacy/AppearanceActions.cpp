@@ -313,7 +313,8 @@ int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voExterna
         const vo::VoxelFormat target = formatOf(t);
         const vo::VoxelFormat source{vo::channels(vo::resolveExternalFormat(diskFormat)), target.type};
         if (!data) badValue("data is NULL");
-        if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+        if (!vo::isValid(source))
+            vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels, 3_3_2 needs RGBA");
         const std::span<std::byte> storage = voxelsToWrite(t);
         const bool ownInPlace = data == storage.data() && voInside::of(t).source->owns(voInside::of(t).slot);
         if (ownInPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
@@ -330,7 +331,8 @@ int voAppearanceActions::dataConvert(voTexture3D* texture, void* data, voDataTyp
         const vo::VoxelFormat target = formatOf(t);
         const vo::VoxelFormat source{target.channels, vo::voxelType(vo::resolveDataType(diskType))};
         if (!data) badValue("data is NULL");
-        if (!vo::isValid(source)) vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels");
+        if (!vo::isValid(source))
+            vo::unsupported("a packed data type needs RGBA or ABGR_EXT voxels, 3_3_2 needs RGBA");
         const std::span<std::byte> storage = voxelsToWrite(t);
         const bool ownInPlace = data == storage.data() && voInside::of(t).source->owns(voInside::of(t).slot);
         if (ownInPlace && storage.size() < voxelCount(t) * vo::voxelBytes(source))
