@@ -276,8 +276,8 @@ const Option* findOption(const std::string& name, OptionSet set)
         if (full == name) return &option;
         // -v is a view: nobody abbreviates a version.
         if (name.empty() || !full.starts_with(name) || full == "version") continue;
-        const bool better =
-            !found || option.home < found->home || (option.home == found->home && full < found->name);
+        // The guide's options come first in the table.
+        const bool better = !found || (option.home == found->home && full < found->name);
         if (better) found = &option;
     }
     return found;

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <memory>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -35,6 +36,7 @@ public:
         arguments.push_back(nullptr);
         id_ = fork();
         if (id_ != 0) return;
+        prctl(PR_SET_PDEATHSIG, SIGTERM); // a test that is killed leaves nobody behind
         const int file = open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         dup2(file, STDERR_FILENO);
         dup2(file, STDOUT_FILENO);
