@@ -1,0 +1,23 @@
+#ifndef VO_COMPAT_IOSTREAM_H
+#define VO_COMPAT_IOSTREAM_H
+
+/* The stream header from before the standard: its names are global. */
+
+#include <iostream>
+
+using std::cerr;
+using std::cin;
+using std::clog;
+using std::cout;
+using std::dec;
+using std::endl;
+using std::flush;
+using std::hex;
+using std::ios;
+using std::istream;
+using std::oct;
+using std::ostream;
+using std::streambuf;
+using std::ws;
+
+#endif
