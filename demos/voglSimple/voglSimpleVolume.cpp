@@ -104,8 +104,7 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection* aVolume)
     };
     const int tetraCount = sizeof(cubeIndices) / (VO_TETRA_VERTICES * sizeof(cubeIndices[0]));
     const int valuesPerVtx = sizeof(vtxData[0]) / sizeof(float);
-    voIndexedTetraSet* aTetraSet =
-        new voIndexedTetraSet(vtxData[0], 8, valuesPerVtx, cubeIndices, 20);
+    voIndexedTetraSet* aTetraSet = new voIndexedTetraSet(vtxData[0], 8, valuesPerVtx, cubeIndices, 20);
 
     // room for the polygons that the tetrahedra are cut into
     allVertexData = new voVertexData(100000, valuesPerVtx);
