@@ -3,6 +3,8 @@
 #define _GEOMETRY_
 #define _voAppearance_h_
 #define _voStatus_h_
+// A macro of some platforms; it survives the headers, and they survive it.
+#define NO_ERROR 30
 
 class voGeometry
 {
@@ -46,5 +48,6 @@ int reservedNames()
     appearance.bricks = 2;
     voStatus::Code status = voStatus::OKAY;
     voIndexedTetraSet tetras(4, 3, 4);
-    return geometry.tetras + appearance.bricks + status + tetras.getVertexData()->getCount() + getTile();
+    return geometry.tetras + appearance.bricks + status + tetras.getVertexData()->getCount() + getTile() +
+           NO_ERROR;
 }
