@@ -371,6 +371,8 @@ TEST(CollectionTest, sizesBeyondMemoryAreRefusedBeforeTheyAreAskedFor)
     expectBadValue("brick sizes");
     makeVolume({most, 1, 1}, {1, 1, 1}, Partial::TRUNCATE, 0);
     expectBadValue("bricks, at most");
+    makeVolume({(1 << 20) + 1, 1, 1}, {1, 1, 1}, Partial::TRUNCATE, 0);
+    expectBadValue("bricks, at most 1048576");
     makeVolume({4096, 4096, 4096}, {2, 2, 2}, Partial::AUGMENT, 1, Interpolation::_2D);
     expectBadValue("bricks, at most");
     const auto wide = makeVolume({most, 1, 1}, {most, 1, 1}, Partial::AUGMENT, 1);

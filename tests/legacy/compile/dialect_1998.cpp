@@ -1,8 +1,14 @@
 // What sources of 1998 take for granted: stream names without std, text literals as char *, assignments as
 // conditions, an implicit double to int, and C's headers and <GL/gl.h> from <vo/...>. Compiled as C++98 with
-// -fpermissive and old_headers/ on the path.
+// -fpermissive and include/vo/compat on the path, whose <GL/gl.h> declares the extensions.
 
+#include <GL/gl.h>
 #include <vo/Volumizer.h>
+
+static void blendMaxima()
+{
+    glBlendEquationEXT(GL_MAX_EXT);
+}
 
 static char* nameOf(voErrorType number)
 {
@@ -29,6 +35,8 @@ int dialect1998()
     char text[80];
     strcpy(text, nameOf(voError::getErrorNumber()));
     if (strcmp(text, "no error") || fabs(-1.0) != 1) cerr << text << endl;
+    void (*blend)() = blendMaxima;
+    if (!blend) return 0;
     cout << voDataTypeScope::FLOAT << endl;
     GLdouble x = atof("24");
     return bricks + x;
