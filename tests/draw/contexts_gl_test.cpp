@@ -229,9 +229,9 @@ TEST(Downloads, eachBrickIsSentOnceAndNothingInLaterFrames)
     auto context = openFor(sceneOf(field), OffscreenProfile::Compatibility);
     countedContext = context.get();
     voState::setGetProcAddress(countingGetProcAddress);
-    {
+    for (const bool useUtility : {true, false}) {
         textureImages = textureParts = 0;
-        SceneDrawing drawing(*context, sceneOf(field), utility(3));
+        SceneDrawing drawing(*context, sceneOf(field), {.bricks = 3, .utility = useUtility});
         drawing.draw();
         EXPECT_EQ(textureImages, 27);
         EXPECT_EQ(textureParts, 27);

@@ -93,6 +93,20 @@ Scene sceneOf(const PictureCase& c, const Field& field, const Angles& angles)
     return scene;
 }
 
+/// What a picture must reach. Graphics cards filter textures with 8 bits of weight; the software rasteriser
+/// is held to what its floats can do.
+struct Bars
+{
+    double masked;
+    double unmasked; ///< of volumes with an empty border
+};
+
+Bars barsFor(const vo::OffscreenContext& context)
+{
+    const bool software = context.description().find("llvmpipe") != std::string::npos;
+    return software ? Bars{80.0, 75.0} : Bars{50.0, 45.0};
+}
+
 TEST_P(PictureGL, agreesWithTheReference)
 {
     const PictureCase& c = GetParam();
@@ -121,10 +135,10 @@ TEST_P(PictureGL, agreesWithTheReference)
         SCOPED_TRACE(testing::Message() << "latitude " << angles.latitude << ", longitude "
                                         << angles.longitude << ": " << comparison.summary());
         EXPECT_GT(comparison.opaquePixels, 1000u);
-        EXPECT_GE(comparison.psnrMasked, 80.0);
+        EXPECT_GE(comparison.psnrMasked, barsFor(*context).masked);
         EXPECT_LE(comparison.fractionOff, 0.01);
         if (c.emptyBorder) {
-            EXPECT_GE(comparison.psnrAll, 75.0);
+            EXPECT_GE(comparison.psnrAll, barsFor(*context).unmasked);
         }
     }
 }
