@@ -5,10 +5,8 @@
 #include <GL/gl.h>
 #include <vo/Volumizer.h>
 
-static void blendMaxima()
-{
-    glBlendEquationEXT(GL_MAX_EXT);
-}
+// Declared; asking for a size alone links nothing of OpenGL, whose libraries do not all export extensions.
+enum { extensionsAreDeclared = sizeof(&glBlendEquationEXT) + sizeof(&glTexImage3DEXT) + GL_MAX_EXT };
 
 static char* nameOf(voErrorType number)
 {
