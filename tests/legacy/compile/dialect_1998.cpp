@@ -33,8 +33,7 @@ int dialect1998()
     char text[80];
     strcpy(text, nameOf(voError::getErrorNumber()));
     if (strcmp(text, "no error") || fabs(-1.0) != 1) cerr << text << endl;
-    void (*blend)() = blendMaxima;
-    if (!blend) return 0;
+    if (!extensionsAreDeclared) return 0;
     cout << voDataTypeScope::FLOAT << endl;
     GLdouble x = atof("24");
     return bricks + x;
