@@ -214,23 +214,39 @@ std::map<std::string, GLint> stateOf(const GladGLContext& gl)
     return state;
 }
 
+/// A caller's own program, arrays, textures and sampler, none of them 0.
+void setObjectsOfTheCaller(const GladGLContext& gl)
+{
+    const char* text = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }";
+    const GLuint shader = gl.CreateShader(GL_VERTEX_SHADER), program = gl.CreateProgram();
+    gl.ShaderSource(shader, 1, &text, nullptr);
+    gl.CompileShader(shader);
+    gl.AttachShader(program, shader);
+    gl.LinkProgram(program);
+    gl.UseProgram(program);
+    GLuint buffer = 0, array = 0, sampler = 0, textures[3];
+    gl.GenVertexArrays(1, &array);
+    gl.BindVertexArray(array);
+    gl.GenBuffers(1, &buffer);
+    gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.GenSamplers(1, &sampler);
+    gl.BindSampler(0, sampler);
+    gl.GenTextures(3, textures);
+    gl.BindTexture(GL_TEXTURE_2D, textures[0]);
+    gl.BindTexture(GL_TEXTURE_3D, textures[1]);
+    gl.ActiveTexture(GL_TEXTURE1);
+    gl.BindTexture(GL_TEXTURE_2D, textures[2]);
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.MatrixMode(GL_TEXTURE);
+}
+
 TEST_P(CallerState, isGivenBackAfterAWholeFrame)
 {
     scene_.classification = Classification::postInterpolation;
     scene_.table = {0, 0, 0, 0, 1, 1, 1, 1};
     SceneDrawing drawing(*context_, scene_, options());
-    GLuint objects[2], sampler = 0, texture = 0;
-    gl().GenBuffers(2, objects);
-    gl().GenSamplers(1, &sampler);
-    gl().GenTextures(1, &texture);
-    gl().BindBuffer(GL_ARRAY_BUFFER, objects[0]);
-    gl().BindSampler(0, sampler);
-    gl().ActiveTexture(GL_TEXTURE1);
-    gl().BindTexture(GL_TEXTURE_2D, texture);
-    gl().ActiveTexture(GL_TEXTURE0);
-    gl().MatrixMode(GL_TEXTURE);
     drawing.draw();
-    gl().MatrixMode(GL_TEXTURE);
+    setObjectsOfTheCaller(gl());
     const auto before = stateOf(gl());
     float period[3] = {1, 1, 1};
     voGeometryActions::drawUtility(&drawing.tetras(), voInterleavedArrayTypeScope::V3F, &drawing.volume(),
