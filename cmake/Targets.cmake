@@ -8,9 +8,8 @@ target_compile_options(volumizer_options INTERFACE
     -ffp-contract=off
     $<$<BOOL:${VOLUMIZER_WERROR}>:-Werror>)
 if(VOLUMIZER_SANITIZE)
-    # Not enum: the face takes any int that a program of 1998 cast to an enumeration, and answers BAD_ENUM.
     target_compile_options(volumizer_options INTERFACE
-        -fsanitize=${VOLUMIZER_SANITIZE} -fno-sanitize=enum -fno-omit-frame-pointer -fno-sanitize-recover=all)
+        -fsanitize=${VOLUMIZER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
     target_link_options(volumizer_options INTERFACE -fsanitize=${VOLUMIZER_SANITIZE})
 endif()
 

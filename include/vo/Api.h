@@ -31,6 +31,13 @@
 #define VO_API
 #endif
 
+/* Programs cast any int to the enumerations; from C++11 on they are told to hold any. */
+#if __cplusplus >= 201103L
+#define VO_ANY_INT : int
+#else
+#define VO_ANY_INT
+#endif
+
 /** Result and flag type (guide, page 126). Non-zero is true. */
 typedef int voBool;
 

@@ -102,7 +102,7 @@ private:
 };
 
 /** A volume: one brick set (_3D), or three, one an axis (_2D), of which one is current. Computes the bricks, allocates
-    no voxels and needs no OpenGL context. Sizes below 1, a negative overlap, or more bricks than an int counts:
+    no voxels and needs no OpenGL context. Sizes below 1, a negative overlap, or more than 2^20 bricks in a set:
     BAD_VALUE, and a collection of one 1 x 1 x 1 brick; formats that today's OpenGL cannot hold: UNSUPPORTED. */
 class VO_API voBrickSetCollection
 {

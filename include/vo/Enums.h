@@ -12,7 +12,7 @@
 class voInterpolationTypeScope
 {
 public:
-    enum voInterpolationType { DEFAULT, _2D, _3D };
+    enum voInterpolationType VO_ANY_INT { DEFAULT, _2D, _3D };
 };
 typedef voInterpolationTypeScope::voInterpolationType voInterpolationType;
 
@@ -20,7 +20,7 @@ typedef voInterpolationTypeScope::voInterpolationType voInterpolationType;
 class voRenderingModeScope
 {
 public:
-    enum voRenderingMode { DEFAULT, MONOCHROME, COLOR };
+    enum voRenderingMode VO_ANY_INT { DEFAULT, MONOCHROME, COLOR };
 };
 typedef voRenderingModeScope::voRenderingMode voRenderingMode;
 
@@ -28,7 +28,7 @@ typedef voRenderingModeScope::voRenderingMode voRenderingMode;
 class voDataTypeScope
 {
 public:
-    enum voDataType {
+    enum voDataType VO_ANY_INT {
         DEFAULT,
         UNSIGNED_BYTE,
         BYTE,
@@ -53,7 +53,7 @@ typedef voDataTypeScope::voDataType voDataType;
 class voInternalFormatTypeScope
 {
 public:
-    enum voInternalFormatType {
+    enum voInternalFormatType VO_ANY_INT {
         DEFAULT,
         INTENSITY8_EXT,
         LUMINANCE8_EXT,
@@ -76,7 +76,7 @@ typedef voInternalFormatTypeScope::voInternalFormatType voInternalFormatType;
 class voExternalFormatTypeScope
 {
 public:
-    enum voExternalFormatType { DEFAULT, INTENSITY, LUMINANCE_ALPHA, LUMINANCE, RGBA, ABGR_EXT };
+    enum voExternalFormatType VO_ANY_INT { DEFAULT, INTENSITY, LUMINANCE_ALPHA, LUMINANCE, RGBA, ABGR_EXT };
 };
 typedef voExternalFormatTypeScope::voExternalFormatType voExternalFormatType;
 
@@ -85,7 +85,7 @@ typedef voExternalFormatTypeScope::voExternalFormatType voExternalFormatType;
 class voPartialBrickTypeScope
 {
 public:
-    enum voPartialBrickType { DEFAULT, TRUNCATE, AUGMENT, AUGMENT_TIGHT };
+    enum voPartialBrickType VO_ANY_INT { DEFAULT, TRUNCATE, AUGMENT, AUGMENT_TIGHT };
 };
 typedef voPartialBrickTypeScope::voPartialBrickType voPartialBrickType;
 
@@ -93,7 +93,7 @@ typedef voPartialBrickTypeScope::voPartialBrickType voPartialBrickType;
 class voOptimizeVolumeTypeScope
 {
 public:
-    enum voOptimizeVolumeType {
+    enum voOptimizeVolumeType VO_ANY_INT {
         NONE = 0,
         INTERLEAVE = 1,
         TEXTURE_OBJECTS = 2,
@@ -113,7 +113,7 @@ inline voOptimizeVolumeType operator|(voOptimizeVolumeType a, voOptimizeVolumeTy
 class voPlaneOrientationScope
 {
 public:
-    enum voPlaneOrientation { UNSPECIFIED, XY, XZ, YZ };
+    enum voPlaneOrientation VO_ANY_INT { UNSPECIFIED, XY, XZ, YZ };
 };
 typedef voPlaneOrientationScope::voPlaneOrientation voPlaneOrientation;
 
@@ -121,7 +121,13 @@ typedef voPlaneOrientationScope::voPlaneOrientation voPlaneOrientation;
 class voSamplingModeScope
 {
 public:
-    enum voSamplingMode { DEFAULT, VIEWPORT_ALIGNED, AXIS_ALIGNED, SPHERICAL, BEST_PERFORMANCE = DEFAULT };
+    enum voSamplingMode VO_ANY_INT {
+        DEFAULT,
+        VIEWPORT_ALIGNED,
+        AXIS_ALIGNED,
+        SPHERICAL,
+        BEST_PERFORMANCE = DEFAULT
+    };
 };
 typedef voSamplingModeScope::voSamplingMode voSamplingMode;
 
@@ -129,7 +135,7 @@ typedef voSamplingModeScope::voSamplingMode voSamplingMode;
 class voSamplingSpaceScope
 {
 public:
-    enum voSamplingSpace { DEFAULT, VIEW_VOLUME, OBJECT, PRIMITIVE };
+    enum voSamplingSpace VO_ANY_INT { DEFAULT, VIEW_VOLUME, OBJECT, PRIMITIVE };
 };
 typedef voSamplingSpaceScope::voSamplingSpace voSamplingSpace;
 
@@ -138,7 +144,7 @@ typedef voSamplingSpaceScope::voSamplingSpace voSamplingSpace;
 class voInterleavedArrayTypeScope
 {
 public:
-    enum voInterleavedArrayType {
+    enum voInterleavedArrayType VO_ANY_INT {
         DEFAULT = -1,
         V3F = 0,
         T3F_V3F,
@@ -157,7 +163,7 @@ typedef voInterleavedArrayTypeScope::voInterleavedArrayType voInterleavedArrayTy
 class voErrorTypeScope
 {
 public:
-    enum voErrorType { NO_ERROR, BAD_VALUE, BAD_ENUM, OUT_OF_MEMORY, UNSUPPORTED };
+    enum voErrorType VO_ANY_INT { NO_ERROR, BAD_VALUE, BAD_ENUM, OUT_OF_MEMORY, UNSUPPORTED };
 };
 #pragma pop_macro("NO_ERROR")
 typedef voErrorTypeScope::voErrorType voErrorType;
@@ -166,7 +172,7 @@ typedef voErrorTypeScope::voErrorType voErrorType;
 class voLookupTableTypeScope
 {
 public:
-    enum voLookupTableType { DEFAULT, PRE_INTERPOLATION, POST_INTERPOLATION };
+    enum voLookupTableType VO_ANY_INT { DEFAULT, PRE_INTERPOLATION, POST_INTERPOLATION };
 };
 typedef voLookupTableTypeScope::voLookupTableType voLookupTableType;
 
@@ -174,7 +180,7 @@ typedef voLookupTableTypeScope::voLookupTableType voLookupTableType;
 class voLookupTableShapeScope
 {
 public:
-    enum voLookupTableShape { LINEAR };
+    enum voLookupTableShape VO_ANY_INT { LINEAR };
 };
 typedef voLookupTableShapeScope::voLookupTableShape voLookupTableShape;
 
@@ -182,8 +188,11 @@ typedef voLookupTableShapeScope::voLookupTableShape voLookupTableShape;
 class voDecorationFlagsScope
 {
 public:
-    enum voDecorationFlags { NONE = 0, BRICKS = 1, TETRAS = 2, ALL = BRICKS | TETRAS };
+    enum voDecorationFlags VO_ANY_INT { NONE = 0, BRICKS = 1, TETRAS = 2, ALL = BRICKS | TETRAS };
 };
 typedef voDecorationFlagsScope::voDecorationFlags voDecorationFlags;
+
+/* Every header of the face brings voError in. */
+#include <vo/Error.h>
 
 #endif

@@ -2,6 +2,8 @@
 #define VO_LOOKUP_TABLE_H
 
 #include <vo/Appearance.h>
+#include <vo/AppearanceActions.h>
+#include <vo/GeometryActions.h>
 
 /** A table of grey and opacity (LUMINANCE8_ALPHA8_EXT) or of colours and opacity (RGBA8_EXT): guide, pages 59-62.
 
@@ -10,7 +12,8 @@
     whatever the spacing; colours are not multiplied by it.
 
     Formats: vo enumerations or the OpenGL constants of the same meaning (GL_LUMINANCE8_ALPHA8, GL_RGBA8;
-    GL_LUMINANCE_ALPHA, GL_RGBA; GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT). Others: UNSUPPORTED at load(). The
+    GL_LUMINANCE_ALPHA, GL_RGBA; GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT, GL_FLOAT). Others: UNSUPPORTED at load(). The width
+    is 2 to 16384 entries, else BAD_VALUE. The
     entries are borrowed and read by load(): they may be filled after construction. */
 class VO_API voLookupTable : public voLookupTableShapeScope
 {

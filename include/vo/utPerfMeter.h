@@ -1,7 +1,7 @@
 #ifndef VO_UT_PERF_METER_H
 #define VO_UT_PERF_METER_H
 
-#include <vo/Api.h>
+#include <vo/Error.h>
 
 /** A stopwatch of wall-clock time that adds up (guide, page 98). */
 class VO_API voutTimer
