@@ -7,7 +7,7 @@ set -euo pipefail
 
 packages=(
     # building
-    g++ cmake ninja-build pkg-config
+    g++ cmake ninja-build make pkg-config
     # the library: vectors, the generator of the OpenGL loader, GL/gl.h
     libglm-dev python3-glad libgl-dev
     # files
