@@ -13,7 +13,7 @@ public:
     voFloatTarget(int width, int height);
     ~voFloatTarget();
 
-    /** Drawing goes here, and the viewport covers it, until end(), which gives both back as they were. */
+    /** Drawing goes here, and the viewport covers it, until end(), which gives both back as they were. Clears nothing. */
     void begin();
     void end();
     /** Copies the picture to the framebuffer bound for drawing, lower left corner at (x, y), rounding to its format. */
