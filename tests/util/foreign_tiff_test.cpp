@@ -382,7 +382,15 @@ TEST_F(ForeignTiffTest, truncatedStackSaysWhichPageIsMissing)
     ForeignTiff tiff;
     tiff.write(path_);
     std::filesystem::resize_file(path_, std::filesystem::file_size(path_) * 3 / 5);
-    expectSays(failureOfReading(path_), {"a.tif: ", "cut off", "page"});
+    const std::string text = failureOfReading(path_);
+    expectSays(text, {"a.tif: ", "cut off", "page"});
+    EXPECT_EQ(text.find("a.tif"), text.rfind("a.tif")) << text;
+}
+
+TEST_F(ForeignTiffTest, directoryWithoutEntriesHasNoPages)
+{
+    std::ofstream(path_, std::ios::binary) << std::string("II\x2a\0\x08\0\0\0\0\0\0\0\0\0", 14);
+    expectSays(failureOfReading(path_), {"a.tif: expected at least one page, found none"});
 }
 
 TEST_F(ForeignTiffTest, damagedDeflateDataNeverReadsAsSuccess)

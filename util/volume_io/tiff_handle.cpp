@@ -118,6 +118,9 @@ Result<TiffHandle> TiffHandle::read(InputFile file)
                                     TiffInput::write, TiffInput::seek, TiffInput::close, TiffInput::size,
                                     nullptr, nullptr, options.get());
     TiffHandle handle(std::move(state));
+    // libtiff's words for a directory without entries.
+    if (!handle.get() && handle.state_->error.find("to read TIFF directory (0 elements") != std::string::npos)
+        return Failure{handle.state_->path + ": expected at least one page, found none"};
     if (!handle.get())
         return Failure{handle.state_->path + ": cannot read the first page of this TIFF" +
                        handle.takeComplaint()};
@@ -154,7 +157,9 @@ const InputFile& TiffHandle::file() const
 
 std::string TiffHandle::takeComplaint()
 {
-    const std::string text = state_->error.empty() ? state_->warning : state_->error;
+    std::string text = state_->error.empty() ? state_->warning : state_->error;
+    // Some of libtiff's messages begin with the file's name, which those of the callers do already.
+    if (text.starts_with(state_->path + ": ")) text.erase(0, state_->path.size() + 2);
     state_->error.clear();
     state_->warning.clear();
     return text.empty() ? text : ": " + text;
