@@ -23,6 +23,9 @@ cubeSize voxels a side that touch each other. Intensity falls linearly from 255
 at a cube's centre to 0 on its surface. The file is a TIFF with one page for
 each slice; without a name it is out.tif.
 
+  -help      print this text
+  -version   print the version
+
 Example: 8 cubes of 128 voxels a side
     mkcubes 256 256 256 128 cubes.tif
 )";
@@ -38,7 +41,13 @@ struct Request
 
 bool isHelp(const char* argument)
 {
-    return std::strcmp(argument, "-help") == 0 || std::strcmp(argument, "--help") == 0;
+    return std::strcmp(argument, "-h") == 0 || std::strcmp(argument, "-help") == 0 ||
+           std::strcmp(argument, "--help") == 0;
+}
+
+bool isVersion(const char* argument)
+{
+    return std::strcmp(argument, "-version") == 0 || std::strcmp(argument, "--version") == 0;
 }
 
 vo::Result<std::int64_t> parsedSize(const char* name, const std::string& text)
@@ -55,7 +64,7 @@ vo::Result<Request> parsedRequest(const std::vector<std::string>& arguments)
 {
     if (arguments.size() < 4 || arguments.size() > 5)
         return vo::Failure{"expected x y z cubeSize [file.tif], found " + std::to_string(arguments.size()) +
-                           " arguments; mkcubes --help shows an example"};
+                           " arguments; mkcubes -help shows an example"};
     Request request;
     const std::array names{"x", "y", "z", "cubeSize"};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -112,14 +121,20 @@ int fail(const std::string& text)
     return 1;
 }
 
+int print(const char* text)
+{
+    std::fputs(text, stdout);
+    return std::fflush(stdout) == 0 ? 0 : fail("cannot write to standard output");
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 try {
     if (std::any_of(argv + 1, argv + argc, isHelp)) {
-        std::fputs(kHelp, stdout);
-        return 0;
+        return print(kHelp);
     }
+    if (std::any_of(argv + 1, argv + argc, isVersion)) return print("Volumizer " VOLUMIZER_VERSION "\n");
     // The temporary file is removed on the way out.
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });

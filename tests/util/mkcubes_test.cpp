@@ -112,12 +112,24 @@ TEST(Mkcubes, badArgumentsGiveOneLineAndNoFile)
 TEST(Mkcubes, helpShowsAnExample)
 {
     ScratchFolder folder;
-    for (const char* help : {"-help", "--help", "4 4 -help"}) {
+    for (const char* help : {"-h", "-help", "--help", "4 4 -help"}) {
         const auto run = mkcubes(help, folder);
         EXPECT_EQ(run.status, 0);
         EXPECT_NE(run.output.find("mkcubes 256 256 256 128"), std::string::npos);
     }
     EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST(Mkcubes, versionIsOneLine)
+{
+    ScratchFolder folder;
+    for (const char* word : {"-version", "--version"}) {
+        const auto run = mkcubes(word, folder);
+        EXPECT_EQ(run.status, 0);
+        EXPECT_EQ(run.output.find("Volumizer "), 0u) << run.output;
+        EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+    }
+    EXPECT_EQ(mkcubes("-help >/dev/full", folder).status, 1);
 }
 
 TEST(Mkcubes, fullDiskGivesOneLineAndNoFile)
