@@ -1,6 +1,7 @@
 #include "brick_io.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <list>
 #include <mutex>
@@ -18,7 +19,7 @@ using Sizes = std::array<std::int64_t, 3>;
 
 int fail(const std::string& text)
 {
-    std::fprintf(stderr, "%s\n", text.c_str());
+    std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, text.c_str());
     return 1;
 }
 
@@ -127,6 +128,7 @@ int readBrick(const std::string& name, vo::VolumeFile& volume, void* data, const
 int readTiffBrick(const char* fileName, void* data, const vo::Region& region, const Sizes* volumeSize)
 {
     if (!fileName) return fail("expected the name of a volume file, found NULL");
+    if (!*fileName) return fail("expected the name of a volume file, found ''");
     const std::lock_guard guard(openVolumes().lock);
     const auto volume = openedTiff(fileName);
     if (!volume) return fail(volume.failure().text);
@@ -185,6 +187,7 @@ int myGetVolumeSizesIfl(char* fileName, int& xSize, int& ySize, int& zSize,
                         voExternalFormatType& diskDataFormat, voDataType& dataType)
 {
     if (!fileName) return fail("expected the name of a volume file, found NULL");
+    if (!*fileName) return fail("expected the name of a volume file, found ''");
     const std::lock_guard guard(openVolumes().lock);
     const auto volume = openedTiff(fileName);
     if (!volume) return fail(volume.failure().text);

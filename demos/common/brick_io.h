@@ -3,10 +3,10 @@
 /// The loaders that the guide's programs call (pages 40, 41 and 146). They are sample code, not part of the
 /// library: a program may define its own functions of these names instead.
 ///
-/// All return 0 when they succeed; otherwise they print one line to standard error and return 1, and `data`
-/// holds no useful values. Voxels arrive x fastest, in this machine's byte order, zero where the brick leaves
-/// the volume. `data` belongs to the caller and has room for the brick. File names are not changed, whatever
-/// their type says.
+/// All return 0 when they succeed; otherwise they print one line, with the program's name in front, to
+/// standard error and return 1, and `data` holds no useful values. Voxels arrive x fastest, in this machine's
+/// byte order, zero where the brick leaves the volume. `data` belongs to the caller and has room for the
+/// brick. File names are not changed, whatever their type says.
 
 #include <vo/Enums.h>
 

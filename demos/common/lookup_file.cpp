@@ -140,6 +140,8 @@ Result<LookupFile> readLookupFile(const std::string& path)
     Entries entries;
     std::string line;
     for (int number = 1; std::getline(file, line); ++number) {
+        // Some editors begin a text in UTF-8 with a byte order mark.
+        if (number == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
         const auto words = wordsOf(line);
         if (words.empty()) continue;
         if (auto added = entries.add(words); !added)

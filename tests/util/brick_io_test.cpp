@@ -26,6 +26,7 @@ protected:
         std::string text = testing::internal::GetCapturedStderr();
         ASSERT_TRUE(text.ends_with('\n'));
         text.pop_back();
+        EXPECT_TRUE(text.starts_with("brick_io_test: ")) << text;
         expectSays(text, parts);
     }
 
@@ -119,6 +120,8 @@ TEST_F(BrickIoTest, failuresPrintOneLineAndReturnOne)
     expectFails([&] { return myReadBrickIfl(name(), brick.data(), 0, 0, 0, 4, 4, 4); },
                 {"a.tif: cannot open"});
     expectFails([&] { return myGetVolumeSizesIfl(nullptr, x_, y_, z_, format_, type_); }, {"found NULL"});
+    std::string none;
+    expectFails([&] { return myGetVolumeSizesIfl(none.data(), x_, y_, z_, format_, type_); }, {"found ''"});
 
     write(VolumeTruth({{4, 4, 4}, 1, ChannelType::uint8}));
     expectFails([&] { return myReadBrickIfl(name(), nullptr, 0, 0, 0, 4, 4, 4); }, {"a.tif: ", "found NULL"});

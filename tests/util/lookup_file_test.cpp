@@ -89,6 +89,17 @@ TEST_F(LookupFileTest, commentsBlanksAndForeignLineEndsArePassedOver)
     EXPECT_EQ(ramp.rgba[3], 0.0f);
 }
 
+TEST_F(LookupFileTest, byteOrderMarkIsPassedOver)
+{
+    EXPECT_EQ(table("\xef\xbb\xbf"
+                    "0 0\n255 255\n")
+                  .rgba[4 * 255],
+              1.0f);
+    expectFails("0 0\n\xef\xbb\xbf"
+                "255 255\n",
+                {"line 2: expected a number"});
+}
+
 TEST_F(LookupFileTest, badLinesAreNamed)
 {
     expectFails("0 0\n# x\n12 abc\n", {"a.lut: line 3: expected a number, found \"abc\""});
