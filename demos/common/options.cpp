@@ -5,6 +5,8 @@
 #include <climits>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <strings.h>
 
 namespace vo {
 namespace {
@@ -19,13 +21,16 @@ class Arguments
 public:
     Arguments(const char* option, Words words) : option_(option), words_(words) {}
 
-    double number(double low, double high, const char* expected)
+    double number(double low, double high, const char* what)
     {
         const std::string word = text();
         double value = 0;
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (code != std::errc() || end != word.data() + word.size() || !(value >= low && value <= high)) {
-            fail(expected, word);
+        const bool isNumber = code != std::errc::invalid_argument && end == word.data() + word.size();
+        if (!isNumber || code != std::errc() || !(value >= low && value <= high)) {
+            char bounds[80];
+            std::snprintf(bounds, sizeof bounds, " from %g to %g", low, high);
+            fail(what + std::string(bounds), word);
         }
         return value;
     }
@@ -40,6 +45,14 @@ public:
         return value;
     }
     std::string text() { return words_[next_++]; }
+    /// What was typed, all arguments.
+    std::string typed() const
+    {
+        std::string line;
+        for (const char* word : words_)
+            line.append(line.empty() ? "" : " ").append(word);
+        return line;
+    }
     void fail(const std::string& expected, const std::string& found)
     {
         if (!failure_) {
@@ -58,7 +71,6 @@ private:
 
 constexpr double kLargest = 1e9;
 constexpr const char* kNumber = "a number";
-constexpr const char* kPositive = "a number above 0";
 constexpr double kSmallest = 1e-6;
 /// A picture is held as floats: a gigabyte at most.
 constexpr int kMostPixels = 1 << 26;
@@ -78,14 +90,14 @@ void readDataRange(Options& options, Arguments& arguments)
 {
     const double low = arguments.number(-3.5e38, 3.5e38, kNumber);
     const double high = arguments.number(-3.5e38, 3.5e38, kNumber);
-    if (!(low < high)) arguments.fail("LOW below HIGH", std::to_string(low) + " " + std::to_string(high));
+    if (!(low < high)) arguments.fail("LOW below HIGH", arguments.typed());
     options.dataRange = Options::DataRange{low, high};
 }
 
 void readLut(Options& options, Arguments& arguments)
 {
     const double center = arguments.number(-3.5e38, 3.5e38, kNumber);
-    options.lut = Options::Ramp{center, arguments.number(1e-30, 3.5e38, kPositive)};
+    options.lut = Options::Ramp{center, arguments.number(1e-30, 3.5e38, kNumber)};
 }
 
 void readSize(Options& options, Arguments& arguments)
@@ -93,9 +105,20 @@ void readSize(Options& options, Arguments& arguments)
     options.width = arguments.integer(1, 16384, "a width in pixels");
     options.height = arguments.integer(1, 16384, "a height in pixels");
     if (std::int64_t(options.width) * options.height > kMostPixels) {
-        arguments.fail("at most " + std::to_string(kMostPixels) + " pixels",
-                       std::to_string(options.width) + " x " + std::to_string(options.height));
+        arguments.fail("at most " + std::to_string(kMostPixels) + " pixels in all", arguments.typed());
     }
+}
+
+bool isOptionName(const std::string& word);
+
+void readOutput(Options& options, Arguments& arguments)
+{
+    const std::string name = arguments.text();
+    const std::string ending = ".png";
+    const bool isPng = name.size() > ending.size() &&
+                       strcasecmp(name.c_str() + name.size() - ending.size(), ending.c_str()) == 0;
+    if (!isPng && !isOptionName(name)) arguments.fail("a file name that ends in .png", name);
+    options.output = name;
 }
 
 void readView(Options& options, Arguments& arguments)
@@ -107,7 +130,7 @@ void readView(Options& options, Arguments& arguments)
 void readScale(Options& options, Arguments& arguments)
 {
     for (double& spacing : options.scale)
-        spacing = arguments.number(kSmallest, kLargest, kPositive);
+        spacing = arguments.number(kSmallest, kLargest, kNumber);
 }
 
 void readBricks(Options& options, Arguments& arguments)
@@ -166,7 +189,7 @@ const std::vector<Option>& optionTable()
          {"FILE"},
          Guide,
          All,
-         "read the table from FILE; goes before -lut",
+         "read the table from FILE; goes before -lut, and the middle mouse button does nothing",
          [](Options& o, Arguments& a) { o.lutFile = a.text(); }},
         {"monochrome",
          {},
@@ -184,21 +207,29 @@ const std::vector<Option>& optionTable()
          {"FILE.png"},
          Ours,
          Simple,
-         "draw into a picture, without a window",
-         [](Options& o, Arguments& a) { o.output = a.text(); }},
-        {"size", {"W", "H"}, Ours, Simple, "pixels of the window or picture (default 512 512)", readSize},
+         "draw into a picture, without a window (without a display and -output: into PROGRAM.png)",
+         readOutput},
+        {"size",
+         {"W", "H"},
+         Ours,
+         Simple,
+         "pixels of the window or picture, at most 67108864 in all (default 512 512)",
+         readSize},
         {"view",
          {"LATITUDE", "LONGITUDE"},
          Ours,
          Simple,
-         "degrees the volume is turned by (default 0 0)",
+         "degrees the volume is turned by (default 0 0); positive latitudes look from below, as in\n"
+         "the guide: -view -30 150 looks down",
          readView},
         {"scale", {"X", "Y", "Z"}, Ours, All, "spacing of the voxels (default 1 1 1)", readScale},
         {"bricks",
          {"X", "Y", "Z"},
          Ours,
          All,
-         "cut the volume into bricks of one size, at most so many along each axis (default: as few as fit)",
+         "cut the volume into bricks of one size, at most so many along each axis and 4096 in all (default: "
+         "as\n"
+         "few as fit)",
          readBricks},
         {"overlap",
          {"N"},
@@ -216,16 +247,14 @@ const std::vector<Option>& optionTable()
          {"PERIOD"},
          Ours,
          All,
-         "distance of the sampling planes, in units of -scale (default 1)",
-         [](Options& o, Arguments& a) { o.sampling = a.number(kSmallest, kLargest, kPositive); }},
+         "distance of the sampling planes, in units of -scale (default 1); at most 65536 planes",
+         [](Options& o, Arguments& a) { o.sampling = a.number(kSmallest, kLargest, kNumber); }},
         {"perspective",
          {"DEGREES"},
          Ours,
          All,
          "look from a point, with this angle over the smaller side (default: orthographic)",
-         [](Options& o, Arguments& a) {
-             o.perspective = a.number(0.1, 170, "an angle from 0.1 to 170 degrees");
-         }},
+         [](Options& o, Arguments& a) { o.perspective = a.number(0.1, 170, "an angle in degrees"); }},
         {"frames",
          {"N"},
          Ours,
@@ -259,6 +288,13 @@ const std::vector<Option>& optionTable()
          [](Options& o, Arguments&) { o.version = true; }},
     };
     return table;
+}
+
+bool isOptionName(const std::string& word)
+{
+    return word.starts_with('-') && std::ranges::any_of(optionTable(), [&](const Option& option) {
+               return word.substr(1) == option.name;
+           });
 }
 
 bool takes(OptionSet set, const Option& option)
@@ -342,6 +378,15 @@ std::string optionsHelp(OptionSet set)
         text += line + "\n";
     }
     return text;
+}
+
+int flushOutput(const char* program)
+{
+    // Both: an earlier write may have failed already.
+    const bool flushed = std::fflush(stdout) == 0;
+    if (flushed && !std::ferror(stdout)) return 0;
+    std::fprintf(stderr, "%s: cannot write to standard output\n", program);
+    return 1;
 }
 
 } // namespace vo

@@ -77,4 +77,7 @@ Result<Options> parseOptions(std::span<const char* const> words, OptionSet set);
 /// The options one by one, as -help prints them.
 std::string optionsHelp(OptionSet set);
 
+/// Writes out what is left of standard output: 0, or 1 after one line on stderr when it did not all arrive.
+int flushOutput(const char* program);
+
 } // namespace vo

@@ -28,12 +28,13 @@ vo::Trackball trackball;
 std::vector<vo::FrameTime> frameTimes;
 bool errorSeen = false;
 
-const char* const kKeys = "Left drag     turn the volume\n"
-                          "Middle drag   move the table's center (to the right) and width (down)\n"
-                          "r             back to the first view\n"
-                          "w             outlines on and off\n"
-                          "h             print this list\n"
-                          "Escape        leave\n";
+const char* const kKeys =
+    "Left drag     turn the volume\n"
+    "Middle drag   move the table's center (to the right) and width (down); not with -lutFile\n"
+    "r             back to the first view\n"
+    "w             outlines on and off\n"
+    "h             print this list\n"
+    "Escape        leave\n";
 
 void printHelp()
 {
@@ -167,7 +168,7 @@ int main(int argc, char** argv)
     }
     if (options.help) printHelp();
     if (options.version) std::printf("%s\n", voVersion());
-    if (options.help || options.version) return 0;
+    if (options.help || options.version) return vo::flushOutput(programName.c_str());
     for (int i = 0; i < 3; ++i)
         modelScale[i] = float(options.scale[std::size_t(i)]);
 
@@ -177,16 +178,17 @@ int main(int argc, char** argv)
     aTetraSet = my_InitGeometry(aVolume);
     if (errorSeen) return 1;
     initModel();
-    return vo::showOnScreen({.program = programName,
-                             .width = options.width,
-                             .height = options.height,
-                             .core = options.core,
-                             .output = options.output,
-                             .frames = options.frames},
-                            {.initialize = initialize,
-                             .draw = draw,
-                             .cleanup = cleanup,
-                             .press = press,
-                             .drag = drag,
-                             .key = key});
+    const int shown = vo::showOnScreen({.program = programName,
+                                        .width = options.width,
+                                        .height = options.height,
+                                        .core = options.core,
+                                        .output = options.output,
+                                        .frames = options.frames},
+                                       {.initialize = initialize,
+                                        .draw = draw,
+                                        .cleanup = cleanup,
+                                        .press = press,
+                                        .drag = drag,
+                                        .key = key});
+    return shown ? shown : vo::flushOutput(programName.c_str());
 }

@@ -65,8 +65,11 @@ static void readBricks(char* fileName, voBrickSetCollection* aVolume, voExternal
 
 // The values of the file that become the ends of the table: what -dataRange says, else those that the file
 // has; all values of an 8-bit type, which its files seldom leave unused, and of volumes of several channels.
-static void chooseDataRange(const vo::ValueRange& seen, voDataType dataType)
+static void chooseDataRange(const vo::ValueRange& seen, voDataType dataType, const char* program,
+                            const char* fileName)
 {
+    if (seen.low == seen.high)
+        fprintf(stderr, "%s: %s: all voxels are %g; nothing to tell apart\n", program, fileName, seen.low);
     vo::ValueRange range = vo::fullRange(dataType);
     const bool isByte = dataType == voDataTypeScope::UNSIGNED_BYTE || dataType == voDataTypeScope::BYTE;
     if (!isByte && seen.low < seen.high) range = seen;
@@ -77,15 +80,70 @@ static void chooseDataRange(const vo::ValueRange& seen, voDataType dataType)
 
 // Sampling planes are at most the diagonal of the scaled volume apart from each other; a view volume is a
 // little deeper.
-static int countSamples(const char* program, const int volumeSize[3])
+static double countPlanes(const int volumeSize[3])
 {
     double diagonal = 0;
     for (int i = 0; i < 3; i++)
         diagonal = std::hypot(diagonal, volumeSize[i] * double(modelScale[i]));
-    const double samples = std::ceil(1.02 * diagonal / options.sampling) + 1;
-    if (samples * maxBrickCount > 1e7)
-        fail(program, "option -sampling: expected fewer planes in fewer bricks, found too many to hold");
-    return int(samples);
+    return std::ceil(1.02 * diagonal / options.sampling) + 1;
+}
+
+// Bricks of the largest set: all of the volume, or with 2D textures the slices of one of three directions.
+static double countBricks(const int volumeSize[3], const int brickSize[3])
+{
+    double along[3];
+    for (int i = 0; i < 3; i++) {
+        const int step = std::max(brickSize[i] - options.overlap, 1);
+        along[i] = std::max(std::ceil(double(volumeSize[i] - options.overlap) / step), 1.0);
+    }
+    if (options.textureDimensions == 3) return along[0] * along[1] * along[2];
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        most = std::max(most, volumeSize[i] * along[(i + 1) % 3] * along[(i + 2) % 3]);
+    return most;
+}
+
+static std::string whole(double count)
+{
+    char text[400];
+    snprintf(text, sizeof text, "%.0f", count);
+    return text;
+}
+
+// The options of these that the user gave, to begin a message with.
+static std::string optionsGiven(bool withBricks)
+{
+    std::string names;
+    int count = 0;
+    const auto add = [&](bool given, const char* name) {
+        if (!given) return;
+        names += (count++ ? " and " : "") + std::string(name);
+    };
+    add(options.sampling != 1, "-sampling");
+    add(options.scale != vo::Options().scale, "-scale");
+    add(withBricks && options.bricks, "-bricks");
+    if (count == 0) return "volume: ";
+    return (count == 1 ? "option " : "options ") + names + ": ";
+}
+
+// Refuses what would take minutes or all memory. Each brick gets a set of faces for each plane; what no
+// option asked for may take longer.
+static void checkWork(const char* program, const int volumeSize[3], const int brickSize[3])
+{
+    const double mostPlanes = 65536, mostBricks = 4096;
+    const double planes = countPlanes(volumeSize), bricks = countBricks(volumeSize, brickSize);
+    const std::string given = optionsGiven(true);
+    const double mostFaceSets = given == "volume: " ? 1e7 : 2e6;
+    std::string wrong;
+    if (planes > mostPlanes)
+        wrong = optionsGiven(false) + "expected at most " + whole(mostPlanes) + " sampling planes, found " +
+                whole(planes);
+    else if (options.bricks && bricks > mostBricks)
+        wrong = "option -bricks: expected at most " + whole(mostBricks) + " bricks, found " + whole(bricks);
+    else if (planes * bricks > mostFaceSets)
+        wrong = given + "expected at most " + whole(mostFaceSets) + " planes times bricks, found " +
+                whole(planes) + " planes and " + whole(bricks) + " bricks";
+    if (!wrong.empty()) fail(program, wrong.c_str());
 }
 
 voBrickSetCollection* my_InitAppearance(int argc, char** argv)
@@ -119,6 +177,10 @@ voBrickSetCollection* my_InitAppearance(int argc, char** argv)
 
     for (int size : {xBrickSize, yBrickSize, zBrickSize})
         checkOverlap(argv[0], size);
+    const int volumeSize[3] = {xVolumeSize, yVolumeSize, zVolumeSize};
+    const int brickSize[3] = {xBrickSize, yBrickSize, zBrickSize};
+    checkWork(argv[0], volumeSize, brickSize);
+    maxSamplesNumber = int(countPlanes(volumeSize));
 
     // Bricks that do not divide the volume are partly empty: nothing of the volume is dropped.
     voBrickSetCollection* aVolume =
@@ -137,7 +199,7 @@ voBrickSetCollection* my_InitAppearance(int argc, char** argv)
     aVolume->setCurrentBrickSet(voPlaneOrientationScope::XY);
     vo::ValueRange seen;
     readBricks(dataFileName, aVolume, diskDataFormat, seen);
-    chooseDataRange(seen, dataType);
+    chooseDataRange(seen, dataType, argv[0], dataFileName);
     voBrickSetIterator brickSetIter(aVolume->getCurrentBrickSet());
     for (voBrick* brick; (brick = brickSetIter());)
         voAppearanceActions::dataScaleRange(brick, loValue, hiValue);
@@ -145,8 +207,6 @@ voBrickSetCollection* my_InitAppearance(int argc, char** argv)
     if (aVolume->getInterpolationType() == voInterpolationTypeScope::_2D)
         voAppearanceActions::volumeMakeTransposed(aVolume);
 
-    const int volumeSize[3] = {xVolumeSize, yVolumeSize, zVolumeSize};
-    maxSamplesNumber = countSamples(argv[0], volumeSize);
     return aVolume;
 }
 

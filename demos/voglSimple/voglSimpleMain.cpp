@@ -117,7 +117,7 @@ int main(int argc, char** argv)
                               "-view 0 180 -output head.png\n\n" +
                               vo::optionsHelp(vo::OptionSet::Simple))
                                  .c_str());
-        return 0;
+        return vo::flushOutput("voglSimple");
     }
     latitude = options.latitude;
     longitude = options.longitude;

@@ -229,9 +229,30 @@ TEST(Options, valuesOutOfRangeAreRefused)
     }
 }
 
+TEST(Options, boundsAndWhatWasTypedAreTold)
+{
+    EXPECT_EQ(failureOf({"-scale", "1e-30", "1", "1"}),
+              "option -scale: expected a number from 1e-06 to 1e+09, found '1e-30'");
+    EXPECT_EQ(failureOf({"-sampling", "1e999"}),
+              "option -sampling: expected a number from 1e-06 to 1e+09, found '1e999'");
+    EXPECT_EQ(failureOf({"-dataRange", "5", "5.0"}),
+              "option -dataRange: expected LOW below HIGH, found '5 5.0'");
+    EXPECT_EQ(failureOf({"-size", "16384", "8192"}),
+              "option -size: expected at most 67108864 pixels in all, found '16384 8192'");
+}
+
+TEST(Options, picturesAreNamedPng)
+{
+    for (const char* word : {"", ".png", "a.jpg", "png", "a.png.gz"})
+        EXPECT_EQ(failureOf({"-output", word}),
+                  std::string("option -output: expected a file name that ends in .png, found '") + word +
+                      "'");
+    EXPECT_TRUE(parse({"-output", "A.PNG"}));
+}
+
 TEST(Options, simpleSetTakesFewOptions)
 {
-    EXPECT_TRUE(parse({"-output", "o", "-size", "3", "3", "-view", "0", "0"}, OptionSet::Simple));
+    EXPECT_TRUE(parse({"-output", "o.png", "-size", "3", "3", "-view", "0", "0"}, OptionSet::Simple));
     EXPECT_EQ(parse({"-s", "3", "3"}, OptionSet::Simple)->width, 3) << "no -sampling there";
     EXPECT_NE(failureOf({"-color"}, OptionSet::Simple), "");
 }

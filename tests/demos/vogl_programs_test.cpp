@@ -163,7 +163,7 @@ TEST_F(VoglPrograms, dataRangeOfShortsIsThatOfTheFile)
 
 TEST_F(VoglPrograms, perspectiveAndScaleKeepTheVolumeInThePicture)
 {
-    vo::writeBytes(folder / "full.tif", 8, 8, 8, [](int, int, int) { return 255; });
+    vo::writeBytes(folder / "full.tif", 8, 8, 8, [](int x, int, int) { return x == 4 ? 254 : 255; });
     for (const char* words :
          {"-perspective 60", "-scale 1 2 3", "-perspective 20 -scale 4 1 1", "-space view"}) {
         const Picture p = draw("full.tif -size 80 60 -view 20 30 " + std::string(words));
@@ -223,21 +223,24 @@ TEST_F(VoglPrograms, badInputIsOneLineAndLeavesNoPicture)
         const char* words;
         const char* named;
     };
-    for (const auto& [words, named] : std::vector<Case>{{"", "volume"},
-                                                        {"blob.tif blob.tif", "blob.tif"},
-                                                        {"missing.tif", "missing.tif"},
-                                                        {"junk.tif", "junk.tif"},
-                                                        {"cut.tif", "cut.tif"},
-                                                        {"blob.tif -colour", "-colour"},
-                                                        {"blob.tif -size 0 5", "-size"},
-                                                        {"blob.tif -size 2147483648 5", "-size"},
-                                                        {"blob.tif -size 16384 16384", "-size"},
-                                                        {"blob.tif -view 1 x", "-view"},
-                                                        {"blob.tif -lutFile missing.lut", "missing.lut"},
-                                                        {"blob.tif -lutFile letters.lut", "letters.lut"},
-                                                        {"blob.tif -overlap 24", "-overlap"},
-                                                        {"blob.tif -sampling 1e-6", "-sampling"},
-                                                        {"blob.tif -frames", "-frames"}}) {
+    for (const auto& [words, named] :
+         std::vector<Case>{{"", "volume"},
+                           {"blob.tif blob.tif", "blob.tif"},
+                           {"missing.tif", "missing.tif"},
+                           {"junk.tif", "junk.tif"},
+                           {"cut.tif", "cut.tif"},
+                           {"blob.tif -colour", "-colour"},
+                           {"blob.tif -size 0 5", "-size"},
+                           {"blob.tif -size 2147483648 5", "-size"},
+                           {"blob.tif -size 16384 16384", "-size"},
+                           {"blob.tif -view 1 x", "-view"},
+                           {"blob.tif -lutFile missing.lut", "missing.lut"},
+                           {"blob.tif -lutFile letters.lut", "letters.lut"},
+                           {"blob.tif -overlap 24", "-overlap"},
+                           {"blob.tif -sampling 1e-4", "-sampling: expected at most 65536"},
+                           {"blob.tif -scale 9e5 1 1", "option -scale: expected"},
+                           {"blob.tif -bricks 900 900 900", "-bricks: expected at most 4096"},
+                           {"blob.tif -frames", "-frames"}}) {
         const ProgramRun run = folder.run("voglBasic", "-output picture.png " + std::string(words));
         EXPECT_EQ(run.status, 1) << words;
         EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
@@ -245,6 +248,24 @@ TEST_F(VoglPrograms, badInputIsOneLineAndLeavesNoPicture)
         EXPECT_EQ(run.output, "") << words;
         EXPECT_EQ(folder.files(), before) << words;
     }
+}
+
+TEST_F(VoglPrograms, fullOutputDeviceFails)
+{
+    const std::string programs = VOLUMIZER_PROGRAMS;
+    for (const char* program : {"voglBasic", "voglSimple"}) {
+        const ProgramRun run = folder.run("/bin/sh", {"-c", programs + "/" + program + " -help >/dev/full"});
+        EXPECT_EQ(run.status, 1);
+        EXPECT_EQ(run.errors, std::string(program) + ": cannot write to standard output\n");
+    }
+}
+
+TEST_F(VoglPrograms, constantVolumeIsToldAndDrawn)
+{
+    vo::writeShorts(folder / "flat.tif", 6, 6, 6, [](int, int, int) { return 7; });
+    const ProgramRun run = folder.run("voglBasic", "flat.tif -size 8 8 -output picture.png");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.errors, "voglBasic: flat.tif: all voxels are 7; nothing to tell apart\n");
 }
 
 TEST_F(VoglPrograms, unwritablePictureIsNamed)
