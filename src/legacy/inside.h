@@ -138,6 +138,19 @@ TextureImage textureImage(const voTexture3D& texture);
 /// Axis on which a brick of a stack is one voxel thick: 2, 1, 0 for XY, XZ, YZ; -1 for UNSPECIFIED.
 int thinAxis(voPlaneOrientation orientation);
 
+/// The view of these matrices. Throws CallerError when they are NULL or singular.
+Camera cameraOf(const GLdouble* model, const GLdouble* projection);
+
+/// What a program asks of the sampling surfaces. Throws CallerError for values without meaning.
+SamplingRequest samplingRequest(int mode, int space, const float* period, int maxSamples,
+                                voPlaneOrientation orientation);
+
+/// The stack whose slices lie across an axis (0, 1, 2).
+voPlaneOrientation stackAcross(int axis);
+
+/// A frame of more samples than this would never end: "no bound" from a program means this many.
+constexpr int kMostFrameSamples = 1 << 16;
+
 /// The context that is current. Throws CallerError (UNSUPPORTED) without one, or when it is too old.
 ContextRecord& requireContext();
 
