@@ -34,7 +34,8 @@ public:
     /** Slices every tetrahedron with every sampling surface, clips to the clip box of every brick, and fills
         polygonSet[brick][sample]; sample 0 is the farthest. All face sets up to maxSamplesNumber, and the vertex data
         that they share, are emptied first. samplesNumber is written, never read. Every value of a record is
-        interpolated linearly; the position is its last three.
+        interpolated linearly; the position is its last three. A format with voxel coordinates (T3F_...) is clipped by
+        these, others by the position.
 
         samplingPeriod NULL: maxSamplesNumber surfaces. Else the step along the view direction d, in voxels, is
         1 / sqrt(sum (d_i / period_i)^2), the number of surfaces max(1, ceil(extent / step - 1e-6)), at most
@@ -44,8 +45,8 @@ public:
                           GLdouble modelMatrix[16], GLdouble projMatrix[16], voSamplingMode samplingMode,
                           voSamplingSpace samplingSpace, float samplingPeriod[3], int maxSamplesNumber,
                           int &samplesNumber, voIndexedFaceSet ***polygonSet);
-    /** The same; samplesNumber in is the most (or, without a period, the exact) number of surfaces, out the number
-        used. */
+    /** The same, clipped by the position; samplesNumber in is the most (or, without a period, the exact) number of
+        surfaces, out the number used. */
     static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, GLdouble modelMatrix[16],
                           GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
                           int &samplesNumber, float samplingPeriod[3], voIndexedFaceSet ***polygonSet);

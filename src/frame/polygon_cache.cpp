@@ -74,7 +74,9 @@ bool PolygonCache::update(const PolygonRequest& request, double threshold)
 
 bool PolygonCache::isCurrent(const PolygonRequest& request, double threshold) const
 {
-    if (!valid_ || valuesPerVertex_ != request.tetras.valuesPerVertex) return false;
+    if (!valid_ || valuesPerVertex_ != request.tetras.valuesPerVertex ||
+        voxelColumn_ != request.tetras.voxelColumn)
+        return false;
     const bool cameraFits = threshold > 0 ? withinDegrees(keyCamera_, request.camera, threshold)
                                           : sameCamera(keyCamera_, request.camera);
     return cameraFits && sameSampling(keySampling_, request.sampling) &&
@@ -87,6 +89,7 @@ void PolygonCache::remember(const PolygonRequest& request)
 {
     valid_ = false;
     valuesPerVertex_ = request.tetras.valuesPerVertex;
+    voxelColumn_ = request.tetras.voxelColumn;
     keyRecords_.assign(request.tetras.records.begin(), request.tetras.records.end());
     keyIndices_.assign(request.tetras.indices.begin(), request.tetras.indices.end());
     keyBoxes_.assign(request.clipBoxes.begin(), request.clipBoxes.end());

@@ -53,6 +53,7 @@ private:
 
     bool valid_ = false;
     int valuesPerVertex_ = 0;
+    int voxelColumn_ = -1;
     std::vector<float> keyRecords_;
     std::vector<int> keyIndices_;
     std::vector<Box> keyBoxes_;

@@ -13,6 +13,8 @@ struct TetraView
     std::span<const float> records;
     int valuesPerVertex = 3;
     std::span<const int> indices;
+    /// Where in a record its voxel coordinates begin, to which bricks are cut; -1: the position is them.
+    int voxelColumn = -1;
 
     int tetraCount() const { return static_cast<int>(indices.size() / 4); }
     const float* record(int vertex) const

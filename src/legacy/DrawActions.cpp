@@ -219,6 +219,7 @@ int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArr
         vo::FrameRequest request;
         request.tetras = vo::tetraView(tetras);
         request.layout = drawLayout(format, request.tetras.valuesPerVertex);
+        request.tetras.voxelColumn = request.layout.texCoord;
         request.clipBoxes = boxes;
         request.bricks = bricks;
         request.sampling =

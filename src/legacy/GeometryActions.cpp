@@ -98,6 +98,14 @@ void resetFaceSets(voIndexedFaceSet*** sets, int bricks, int samples, int values
     }
 }
 
+/// Where in a record its voxel coordinates begin; -1 when it has none beside its position. A format that is
+/// not that of the records is passed over: programs of 1998 give any.
+int voxelColumn(int format, int values)
+{
+    const vo::RecordLayout layout = vo::recordLayout(format, values);
+    return layout.texCoord >= 0 && layout.values <= values ? values - layout.values + layout.texCoord : -1;
+}
+
 vo::PolygonizeWorkspace& workspace()
 {
     thread_local vo::PolygonizeWorkspace instance;
@@ -143,15 +151,16 @@ void checkFormat(const voVertexData& polygon, int format)
 
 } // namespace
 
-int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brickSet, voInterleavedArrayType,
-                                  GLdouble modelMatrix[16], GLdouble projMatrix[16],
-                                  voSamplingMode samplingMode, voSamplingSpace samplingSpace,
-                                  float samplingPeriod[3], int maxSamplesNumber, int& samplesNumber,
-                                  voIndexedFaceSet*** polygonSet)
+int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brickSet,
+                                  voInterleavedArrayType format, GLdouble modelMatrix[16],
+                                  GLdouble projMatrix[16], voSamplingMode samplingMode,
+                                  voSamplingSpace samplingSpace, float samplingPeriod[3],
+                                  int maxSamplesNumber, int& samplesNumber, voIndexedFaceSet*** polygonSet)
 {
     samplesNumber = 0;
     return guarded("voGeometryActions::polygonize", [&] {
-        const vo::TetraView tetras = vo::tetraView(required(tetraSet, "tetraSet"));
+        vo::TetraView tetras = vo::tetraView(required(tetraSet, "tetraSet"));
+        tetras.voxelColumn = voxelColumn(format, tetras.valuesPerVertex);
         const voBrickSet& set = required(brickSet, "brickSet");
         const vo::SamplingRequest sampling = vo::samplingRequest(samplingMode, samplingSpace, samplingPeriod,
                                                                  maxSamplesNumber, set.getOrientation());

@@ -102,9 +102,9 @@ std::span<const BoxLattice::Entry> BoxLattice::boxes(const Cell& cell) const
 void BoxLattice::snap(CutPolygon& polygon) const
 {
     for (int i = 0; i < polygon.count; ++i) {
-        double* position = polygon.record(i) + polygon.values - 3;
+        double* voxel = polygon.record(i) + polygon.voxelColumn;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            position[axis] = snapped(position[axis], faces_[axis]);
+            voxel[axis] = snapped(voxel[axis], faces_[axis]);
     }
 }
 

@@ -12,8 +12,8 @@ namespace {
 class SlabCut
 {
 public:
-    SlabCut(int axis, double lower, double upper, int values, CutPolygon& out)
-        : axis_(axis), lower_(lower), upper_(upper), values_(values), out_(out)
+    SlabCut(int axis, double lower, double upper, CutPolygon& out)
+        : column_(out.voxelColumn + axis), lower_(lower), upper_(upper), out_(out)
     {
     }
 
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    double coordinate(const double* record) const { return record[values_ - 3 + axis_]; }
+    double coordinate(const double* record) const { return record[column_]; }
 
     void meet(const double* from, const double* to, double plane)
     {
@@ -43,14 +43,13 @@ private:
         const double b = coordinate(to) - plane;
         if (!((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))) return;
         double* point = out_.grow();
-        cutEdge(from, to, a, b, values_, point);
-        point[values_ - 3 + axis_] = plane;
+        cutEdge(from, to, a, b, out_.values, point);
+        point[column_] = plane;
         out_.dropRepeat();
     }
 
-    int axis_;
+    int column_;
     double lower_, upper_;
-    int values_;
     CutPolygon& out_;
 };
 
@@ -64,8 +63,8 @@ double distance(const glm::dvec4& plane, const double* position)
 void clipToSlab(const CutPolygon& polygon, int axis, double lower, double upper, CutPolygon& out)
 {
     assert(&polygon != &out);
-    out.clear(polygon.values);
-    SlabCut cut(axis, lower, upper, polygon.values, out);
+    out.clear(polygon.values, polygon.voxelColumn);
+    SlabCut cut(axis, lower, upper, out);
     for (int i = 0; i < polygon.count; ++i)
         cut.edge(polygon.record(i), polygon.record(i + 1 < polygon.count ? i + 1 : 0));
     out.close();
@@ -81,7 +80,7 @@ void clipToBox(const CutPolygon& polygon, const Box& box, CutPolygon& scratch, C
 void clipToHalfSpace(const CutPolygon& polygon, const glm::dvec4& plane, CutPolygon& out)
 {
     assert(&polygon != &out);
-    out.clear(polygon.values);
+    out.clear(polygon.values, polygon.voxelColumn);
     for (int i = 0; i < polygon.count; ++i) {
         const int next = i + 1 < polygon.count ? i + 1 : 0;
         const double a = distance(plane, polygon.position(i));

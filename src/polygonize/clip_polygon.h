@@ -9,8 +9,8 @@
 
 namespace vo {
 
-/// What is left of a convex polygon inside lower <= p[axis] <= upper. Both planes cut the edges of `polygon`
-/// itself. Fewer than 3 distinct vertices: `out` is empty.
+/// What is left of a convex polygon inside lower <= voxel[axis] <= upper. Both planes cut the edges of
+/// `polygon` itself. Fewer than 3 distinct vertices: `out` is empty.
 void clipToSlab(const CutPolygon& polygon, int axis, double lower, double upper, CutPolygon& out);
 
 /// What is left inside a box, faces included; axes in the order x, y, z. `scratch` and `out` differ from

@@ -30,12 +30,12 @@ struct PolygonizeResult
     bool complete = true; ///< false: the sink had no room, the rest is missing
 };
 
-/// Slices every tetrahedron with every plane, cuts the slices to the clip boxes, and hands the polygons to
-/// `sink` as (box number, plane number). Boxes keep their lower faces and drop their upper ones, except those
-/// that bound the union of all boxes. Polygons are convex and run counterclockwise for a viewer in front of
-/// them in voxel space; neighbours, across tetrahedra and boxes, share vertices bit for bit. A face that lies
-/// in a plane is yielded by its tetrahedron on the viewer's side, on the set's nearest plane by the one
-/// behind.
+/// Slices every tetrahedron with every plane, cuts the slices to the clip boxes by their voxel coordinates,
+/// and hands the polygons to `sink` as (box number, plane number). Boxes keep their lower faces and drop
+/// their upper ones, except those that bound the union of all boxes. Polygons are convex and run
+/// counterclockwise for a viewer in front of them in voxel space; neighbours, across tetrahedra and boxes,
+/// share vertices bit for bit. A face that lies in a plane is yielded by its tetrahedron on the viewer's
+/// side, on the set's nearest plane by the one behind.
 PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
                             const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink);
 

@@ -53,9 +53,10 @@ constexpr std::array<Split, 16> kSplits{{
 
 } // namespace
 
-void CutPolygon::clear(int valuesPerRecord)
+void CutPolygon::clear(int valuesPerRecord, int voxels)
 {
     values = valuesPerRecord;
+    voxelColumn = voxels >= 0 ? voxels : values - 3;
     count = 0;
     const std::size_t usual = static_cast<std::size_t>(kUsualVertices) * static_cast<std::size_t>(values);
     if (data.size() < usual) data.resize(usual);
@@ -101,9 +102,10 @@ void cutEdge(const double* from, const double* to, double fromDistance, double t
         out[i] = from[i] + s * (to[i] - from[i]);
 }
 
-void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out)
+void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out,
+                int voxelColumn)
 {
-    out.clear(values);
+    out.clear(values, voxelColumn);
     unsigned mask = 0;
     for (unsigned i = 0; i < 4; ++i)
         mask |= (distances[i] >= 0.0 ? 1u : 0u) << i;

@@ -11,6 +11,7 @@ namespace vo {
 struct CutPolygon
 {
     int values = 3;
+    int voxelColumn = 0; ///< where the three coordinates begin that boxes speak of
     int count = 0;
     std::vector<double> data; ///< at least count * values long
 
@@ -23,9 +24,11 @@ struct CutPolygon
         return data.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(values);
     }
     const double* position(int i) const { return record(i) + values - 3; }
+    const double* voxel(int i) const { return record(i) + voxelColumn; }
 
-    /// Makes it empty, with room for what a box leaves of a slice.
-    void clear(int valuesPerRecord);
+    /// Makes it empty, with room for what a box leaves of a slice. Boxes speak of the positions unless a
+    /// column is given.
+    void clear(int valuesPerRecord, int voxels = -1);
     /// Appends a record that is not one of this polygon's own.
     void push(const double* record);
     /// Appends a record and returns where the caller is to write it.
@@ -44,6 +47,7 @@ void cutEdge(const double* from, const double* to, double fromDistance, double t
 /// Cuts a tetrahedron of four records with a plane given by the signed distances of its vertices (>= 0 is in
 /// front, so a vertex on the plane counts as in front). `out` gets 0, 3 or 4 records in order round the
 /// polygon: counterclockwise seen from behind the plane when dot(v1 - v0, cross(v2 - v0, v3 - v0)) > 0.
-void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out);
+void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out,
+                int voxelColumn = -1);
 
 } // namespace vo

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 using namespace scenes;
 
@@ -569,6 +570,53 @@ TEST(Polygonize, nothingToCutGivesNoFaces)
     const Cut noDepth = cutUp(flat, bricks(2, kSize), camera(kSize, glm::dmat4(1), false), everyVoxel());
     EXPECT_EQ(noDepth.result.samples, 1);
     EXPECT_TRUE(noDepth.faces.all.empty());
+}
+
+/// Voxel coordinates of their own: the whole volume in a unit cube, its z axis along x.
+TEST(Polygonize, bricksCutVoxelCoordinatesWhereRecordsHaveThem)
+{
+    TetraSet set = cube(kSize);
+    std::vector<float> records;
+    for (std::size_t i = 0; i < set.records.size(); i += 3) {
+        const float* p = &set.records[i];
+        records.insert(records.end(), {p[0], p[1], p[2]});
+        for (const float value : {p[2], p[0], p[1]})
+            records.push_back(value / float(kSize));
+    }
+    set.records = records;
+    set.values = 6;
+    set.voxelColumn = 0;
+    vo::SamplingRequest request = everyVoxel();
+    request.period = glm::dvec3(1 / kSize);
+    const vo::Camera view = camera(1, gl_matrices::rotate(33, {1, 2, 0}), true);
+    const vo::Box all{glm::vec3(0), glm::vec3(float(kSize))};
+    const Cut whole = cutUp(set, {&all, 1}, view, request);
+    const auto boxes = bricks(3, kSize);
+    const Cut parts = cutUp(set, boxes, view, request);
+    const std::vector<double> expected = whole.faces.areas(whole.planes.count);
+    const std::vector<double> found = parts.faces.areas(parts.planes.count);
+    // The boxes leave half a voxel out at each side.
+    const double left = (kSize - 1) / kSize;
+    double sumOfWhole = 0, sumOfParts = 0;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        sumOfWhole += expected[k];
+        sumOfParts += found[k];
+    }
+    EXPECT_GT(expected.size(), 40u);
+    EXPECT_NEAR(sumOfParts / sumOfWhole, left * left * left, 0.002);
+    std::set<int> used;
+    for (const Face& face : parts.faces.all) {
+        used.insert(face.brick);
+        const vo::Box& box = boxes[std::size_t(face.brick)];
+        for (std::size_t i = 0; i < face.records.size(); i += 6)
+            for (int axis = 0; axis < 3; ++axis) {
+                const double voxel = face.records[i + std::size_t(axis)];
+                EXPECT_GE(voxel, box.lower[axis] - 4 * kUlp);
+                EXPECT_LE(voxel, box.upper[axis] + 4 * kUlp);
+                EXPECT_NEAR(voxel, kSize * double(face.records[i + 3 + std::size_t((axis + 1) % 3)]), 2e-5);
+            }
+    }
+    EXPECT_EQ(used.size(), 27u);
 }
 
 TEST(Polygonize, sinkWithoutRoomStopsTheWork)

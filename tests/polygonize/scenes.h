@@ -21,8 +21,9 @@ struct TetraSet
     std::vector<float> records;
     int values = 3;
     std::vector<int> indices;
+    int voxelColumn = -1;
 
-    vo::TetraView view() const { return {records, values, indices}; }
+    vo::TetraView view() const { return {records, values, indices, voxelColumn}; }
     void add(const glm::dvec3& p)
     {
         for (int axis = 0; axis < 3; ++axis)
