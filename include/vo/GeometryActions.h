@@ -51,7 +51,20 @@ public:
                           GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
                           int &samplesNumber, float samplingPeriod[3], voIndexedFaceSet ***polygonSet);
 
-    /** Not there yet: UNSUPPORTED, nothing is written. */
+    /** Cross-sections (guide, pages 118-121): fills polygonSet[brick][0] with what the bricks' clip boxes leave of the
+        plane Ax + By + Cz + D = 0, given in voxels and seen counterclockwise from its positive side, or of a planar
+        polygon, its records in order, which may be concave but must not cross itself. The caller allocates one face
+        set a brick, with as many values a record as the format has; they, and the vertex data that they share, are
+        emptied first. A format with voxel coordinates is cut by these; a plane has them equal to the positions, and
+        colours of 1. USER_V3F goes with polygons only.
+
+        A three-dimensional volume: bind, texgenSetEquation (or, for T3F, xfmVox2TexCoords once) and draw brick by
+        brick, in any order. A stack of two-dimensional bricks: any of the three stacks will do, best the one that lies
+        most across the polygon's normal; every polygon appears in the two slices on both sides of it, with its colours
+        multiplied by weights that add up to 1. Draw with smooth shading, modulating textures, depth test off, and
+        additive blending, glBlendFunc(GL_ONE, GL_ONE), over black: the sum is the trilinear picture. The weights are
+        in all channels of C4F, alpha too; C3F leaves the alpha alone; a format without colours cannot carry them:
+        BAD_VALUE. Half a voxel at either end of the stack repeats the outermost slice. */
     static int polygonizeMPR(float planeEquation[4], voBrickSet *brickSet, voIndexedFaceSet ***polygonSet,
                              voInterleavedArrayType format);
     static int polygonizeMPR(voVertexData *polygon, voBrickSet *brickSet, voIndexedFaceSet ***polygonSet,

@@ -1,6 +1,7 @@
 #include "legacy/inside.h"
 
 #include "legacy/enums.h"
+#include "legacy/face_sets.h"
 #include "legacy/report.h"
 
 #include "polygonize/clip_polygon.h"
@@ -56,48 +57,6 @@ voPlaneOrientation stackAcross(int axis)
 
 namespace {
 
-/// Hands polygons to the face sets of the caller.
-class FaceSetSink final : public vo::FaceSink
-{
-public:
-    FaceSetSink(voIndexedFaceSet*** sets, int values) : sets_(sets), values_(values) {}
-
-    bool append(int brick, int sample, std::span<const float> records) override
-    {
-        voIndexedFaceSet& faces = *sets_[brick][sample];
-        const int count = static_cast<int>(records.size()) / values_;
-        const voVertexData& vertices = *faces.getVertexData();
-        const bool shared = !voInside::of(faces).ownVertices;
-        if (shared && vertices.getCount() + count > vertices.getCountMax()) return false;
-        // appendPoly copies; it does not write to what it is given.
-        faces.appendPoly(const_cast<float*>(records.data()), count);
-        return true;
-    }
-
-private:
-    voIndexedFaceSet*** sets_;
-    int values_;
-};
-
-/// Empties all face sets and the vertex data that they share, and checks that they fit the tetrahedra.
-void resetFaceSets(voIndexedFaceSet*** sets, int bricks, int samples, int values)
-{
-    if (!sets) badValue("polygonSet is NULL");
-    for (int b = 0; b < bricks; ++b) {
-        if (!sets[b]) badValue("polygonSet[" + std::to_string(b) + "] is NULL");
-        for (int s = 0; s < samples; ++s) {
-            if (!sets[b][s])
-                badValue("polygonSet[" + std::to_string(b) + "][" + std::to_string(s) + "] is NULL");
-            voIndexedFaceSet& faces = *sets[b][s];
-            if (faces.getVertexData()->getValuesPerVertex() != values)
-                badValue("face sets of " + std::to_string(faces.getVertexData()->getValuesPerVertex()) +
-                         " values a record, the tetrahedra have " + std::to_string(values));
-            faces.empty();
-            faces.getVertexData()->empty();
-        }
-    }
-}
-
 /// Where in a record its voxel coordinates begin; -1 when it has none beside its position. A format that is
 /// not that of the records is passed over: programs of 1998 give any.
 int voxelColumn(int format, int values)
@@ -110,21 +69,6 @@ vo::PolygonizeWorkspace& workspace()
 {
     thread_local vo::PolygonizeWorkspace instance;
     return instance;
-}
-
-/// A caller's polygon as the clipping stage takes it.
-vo::CutPolygon cutPolygon(const voVertexData& polygon)
-{
-    const int values = polygon.getValuesPerVertex();
-    if (values < 3) badValue("records of " + std::to_string(values) + " values have no position");
-    vo::CutPolygon cut;
-    cut.clear(values);
-    std::vector<double> record(static_cast<std::size_t>(values));
-    for (int i = 0; i < polygon.getCount(); ++i) {
-        std::copy_n(polygon[i], values, record.begin());
-        cut.push(record.data());
-    }
-    return cut;
 }
 
 void appendCut(const vo::CutPolygon& cut, voIndexedFaceSet& faceSet)
@@ -165,10 +109,10 @@ int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brick
         const vo::SamplingRequest sampling = vo::samplingRequest(samplingMode, samplingSpace, samplingPeriod,
                                                                  maxSamplesNumber, set.getOrientation());
         const vo::Camera camera = cameraOf(modelMatrix, projMatrix);
-        resetFaceSets(polygonSet, set.getBrickCount(), maxSamplesNumber, tetras.valuesPerVertex);
+        vo::resetFaceSets(polygonSet, set.getBrickCount(), maxSamplesNumber, tetras.valuesPerVertex);
         thread_local std::vector<vo::Box> boxes;
         vo::clipBoxes(set, boxes);
-        FaceSetSink sink(polygonSet, tetras.valuesPerVertex);
+        vo::FaceSetSink sink(polygonSet, tetras.valuesPerVertex);
         const vo::PolygonizeResult result =
             vo::polygonize(tetras, boxes, camera, sampling, workspace(), sink);
         samplesNumber = result.samples;
@@ -227,7 +171,7 @@ int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format
         if (!lowerLeft || !upperRight) badValue("lowerLeft or upperRight is NULL");
         const vo::Box box{glm::make_vec3(lowerLeft), glm::make_vec3(upperRight)};
         vo::CutPolygon scratch, out;
-        vo::clipToBox(cutPolygon(*polygon), box, scratch, out);
+        vo::clipToBox(vo::cutPolygon(*polygon), box, scratch, out);
         appendCut(out, faces);
     });
 }
@@ -245,7 +189,7 @@ int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format
         checkFormat(required(polygon, "polygon"), format);
         voIndexedFaceSet& faces = required(faceSet, "faceSet");
         if (planeCount < 0 || (planeCount > 0 && !planes)) badValue("planes is NULL or planeCount negative");
-        vo::CutPolygon cut = cutPolygon(*polygon), out;
+        vo::CutPolygon cut = vo::cutPolygon(*polygon), out;
         for (int i = 0; i < planeCount && cut.count >= 3; ++i) {
             vo::clipToHalfSpace(cut, glm::dvec4(glm::make_vec4(planes + 4 * i)), out);
             std::swap(cut, out);

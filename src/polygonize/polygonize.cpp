@@ -1,7 +1,6 @@
 #include "polygonize/polygonize.h"
 
-#include "polygonize/box_lattice.h"
-#include "polygonize/clip_polygon.h"
+#include "polygonize/box_cutter.h"
 #include "polygonize/slice_tetra.h"
 
 #include <glm/geometric.hpp>
@@ -10,16 +9,15 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace vo {
 
 struct PolygonizeWorkspace::Private
 {
-    BoxLattice lattice;
+    BoxCutter cutter;
     std::vector<double> corners; ///< the records of one tetrahedron
     CutPolygon slice;
-    std::array<CutPolygon, 3> cuts; ///< what an interval of each axis left
-    std::vector<float> face;
 };
 
 PolygonizeWorkspace::PolygonizeWorkspace() : d(std::make_unique<Private>()) {}
@@ -88,9 +86,7 @@ public:
         for (int k = firstPlane; k <= lastPlane; ++k) {
             slice(corners, planes.offset(k));
             if (memory_.slice.count == 0) continue;
-            memory_.lattice.snap(memory_.slice);
-            sample_ = k;
-            if (!cutAlong(0, memory_.slice)) return false;
+            if (!memory_.cutter.cut(memory_.slice, k, sink_)) return false;
         }
         return true;
     }
@@ -110,92 +106,14 @@ private:
             std::swap(records[0], records[1]);
             std::swap(distances[0], distances[1]);
         }
-        sliceTetra(records.data(), distances.data(), tetras_.valuesPerVertex, memory_.slice);
-    }
-
-    /// Cuts the polygon to each interval of an axis that it meets, and what is left along the next axis.
-    bool cutAlong(int axis, const CutPolygon& polygon)
-    {
-        if (axis == 3) return emitTo(polygon);
-        const auto [low, high] = extent(polygon, axis);
-        const auto intervals = memory_.lattice.intervals(axis);
-        CutPolygon& cut = memory_.cuts[static_cast<std::size_t>(axis)];
-        for (std::size_t i = 0; i < intervals.size() && intervals[i].lower <= high; ++i) {
-            const auto [lower, upper, next] = intervals[i];
-            if (low < high ? (high <= lower || low >= upper) : (low < lower || low > upper)) continue;
-            cell_[static_cast<std::size_t>(axis)] = static_cast<int>(i);
-            inUpperFace_[static_cast<std::size_t>(axis)] = low == upper && lower < upper && next >= 0;
-            const bool inside = low >= lower && high <= upper;
-            if (!inside) clipToSlab(polygon, axis, lower, upper, cut);
-            if ((inside || cut.count > 0) && !cutAlong(axis + 1, inside ? polygon : cut)) return false;
-        }
-        return true;
-    }
-
-    static std::pair<double, double> extent(const CutPolygon& polygon, int axis)
-    {
-        double low = polygon.position(0)[axis];
-        double high = low;
-        for (int i = 1; i < polygon.count; ++i) {
-            const double c = polygon.position(i)[axis];
-            low = std::min(low, c);
-            high = std::max(high, c);
-        }
-        return {low, high};
-    }
-
-    /// True when the polygon lies in an upper face that is a lower face of another box.
-    bool belongsToNext() const
-    {
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (!inUpperFace_[axis]) continue;
-            BoxLattice::Cell neighbour = cell_;
-            neighbour[axis] =
-                memory_.lattice.intervals(static_cast<int>(axis))[static_cast<std::size_t>(cell_[axis])].next;
-            if (!memory_.lattice.boxes(neighbour).empty()) return true;
-        }
-        return false;
-    }
-
-    bool emitTo(const CutPolygon& polygon)
-    {
-        const auto boxes = memory_.lattice.boxes(cell_);
-        if (boxes.empty() || belongsToNext()) return true;
-        const std::span<const float> face = rounded(polygon);
-        for (const auto& [cell, box] : boxes)
-            if (!face.empty() && !sink_.append(box, sample_, face)) return false;
-        return true;
-    }
-
-    /// The polygon in single precision, without the vertices that fall on the one before.
-    std::span<const float> rounded(const CutPolygon& polygon)
-    {
-        const auto size = static_cast<std::size_t>(polygon.values);
-        const std::size_t needed = static_cast<std::size_t>(polygon.count) * size;
-        if (memory_.face.size() < needed) memory_.face.resize(std::max(needed, 16 * size));
-        float* const first = memory_.face.data();
-        float* end = first;
-        const auto same = [size](const float* a, const float* b) {
-            return std::equal(a + size - 3, a + size, b + size - 3);
-        };
-        for (int i = 0; i < polygon.count; ++i) {
-            std::transform(polygon.record(i), polygon.record(i) + size, end,
-                           [](double value) { return static_cast<float>(value); });
-            if (end == first || !same(end, end - size)) end += size;
-        }
-        while (end - first > static_cast<std::ptrdiff_t>(size) && same(end - size, first))
-            end -= size;
-        if (end - first < static_cast<std::ptrdiff_t>(3 * size)) return {};
-        return {first, end};
+        sliceTetra(records.data(), distances.data(), tetras_.valuesPerVertex, memory_.slice,
+                   tetras_.voxelColumn);
     }
 
     const TetraView& tetras_;
     double nearest_;
     PolygonizeWorkspace::Private& memory_;
     FaceSink& sink_;
-    int sample_ = 0;
-    BoxLattice::Cell cell_{};
-    std::array<bool, 3> inUpperFace_{};
 };
 
 } // namespace
@@ -203,7 +121,7 @@ private:
 PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
                             const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink)
 {
-    workspace.d->lattice.assign(clipBoxes);
+    workspace.d->cutter.assign(clipBoxes);
     const SamplingAxis axis = samplingAxis(tetras, camera, request);
     const PlaneFamily planes = samplingPlanes(tetras, axis, camera, request);
     PolygonizeResult result{planes.count, planes.spacing, true};
