@@ -45,7 +45,8 @@ Matrix turnAboutZ(double degrees)
 
 double boundingRadius(const Model& model)
 {
-    return std::hypot(model.size[0] * model.scale[0], model.size[1] * model.scale[1],
+    return model.margin *
+           std::hypot(model.size[0] * model.scale[0], model.size[1] * model.scale[1],
                       model.size[2] * model.scale[2]) /
            2;
 }

@@ -22,9 +22,11 @@ struct Model
 {
     std::array<double, 3> size{1, 1, 1};
     std::array<double, 3> scale{1, 1, 1};
+    /// Radius of the sphere round all that is drawn, in that of the volume.
+    double margin = 1;
 };
 
-/// Half the diagonal of the scaled volume: it fits into this sphere, however it is turned.
+/// Half the diagonal of the scaled volume, times the margin: all fits into this sphere, however it is turned.
 double boundingRadius(const Model& model);
 
 /// The view volume. The sphere round the volume just fits into the smaller side of the picture, and between

@@ -2,6 +2,8 @@
 
 #include <vo/State.h>
 
+#include <algorithm>
+
 namespace vo {
 namespace {
 
@@ -55,6 +57,22 @@ void loadModelView(const Model& model, const Orientation& orientation, const Vie
     gl->Rotated(-orientation.longitude, 0, 0, 1);
     gl->Scaled(model.scale[0], model.scale[1], model.scale[2]);
     gl->Translated(-model.size[0] / 2, -model.size[1] / 2, -model.size[2] / 2);
+}
+
+void loadMatrices(const GLdouble modelMatrix[16], const GLdouble projMatrix[16])
+{
+    if (isCoreContext()) {
+        Matrix model, projection;
+        std::copy_n(modelMatrix, 16, model.begin());
+        std::copy_n(projMatrix, 16, projection.begin());
+        voState::setModelMatrix(singlePrecision(model).data());
+        voState::setProjectionMatrix(singlePrecision(projection).data());
+        return;
+    }
+    gl->MatrixMode(GL_PROJECTION);
+    gl->LoadMatrixd(projMatrix);
+    gl->MatrixMode(GL_MODELVIEW);
+    gl->LoadMatrixd(modelMatrix);
 }
 
 void getMatrices(GLdouble modelMatrix[16], GLdouble projMatrix[16])

@@ -14,6 +14,9 @@ bool isCoreContext();
 void loadProjection(const ViewVolume& view);
 void loadModelView(const Model& model, const Orientation& orientation, const ViewVolume& view);
 
+/// Any other matrices.
+void loadMatrices(const GLdouble modelMatrix[16], const GLdouble projMatrix[16]);
+
 /// What glGetDoublev gives for GL_MODELVIEW_MATRIX and GL_PROJECTION_MATRIX.
 void getMatrices(GLdouble modelMatrix[16], GLdouble projMatrix[16]);
 

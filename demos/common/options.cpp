@@ -9,65 +9,53 @@
 #include <strings.h>
 
 namespace vo {
+
+double Arguments::number(double low, double high, const char* what)
+{
+    const std::string word = text();
+    double value = 0;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool isNumber = code != std::errc::invalid_argument && end == word.data() + word.size();
+    if (!isNumber || code != std::errc() || !(value >= low && value <= high)) {
+        char bounds[80];
+        std::snprintf(bounds, sizeof bounds, " from %g to %g", low, high);
+        fail(what + std::string(bounds), word);
+    }
+    return value;
+}
+
+int Arguments::integer(int low, int high, const char* what)
+{
+    const std::string word = text();
+    int value = 0;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (code != std::errc() || end != word.data() + word.size() || value < low || value > high) {
+        fail(std::string(what) + " from " + std::to_string(low) + " to " + std::to_string(high), word);
+    }
+    return value;
+}
+
+std::string Arguments::typed() const
+{
+    std::string line;
+    for (const char* word : words_)
+        line.append(line.empty() ? "" : " ").append(word);
+    return line;
+}
+
+void Arguments::fail(const std::string& expected, const std::string& found)
+{
+    if (!failure_) {
+        failure_ =
+            Failure{std::string("option -") + option_ + ": expected " + expected + ", found '" + found + "'"};
+    }
+}
+
 namespace {
 
 using Words = std::span<const char* const>;
 
 enum class Home { Guide, Ours };
-
-/// Arguments of one option, taken one after the other; the first one that does not fit is kept as a failure.
-class Arguments
-{
-public:
-    Arguments(const char* option, Words words) : option_(option), words_(words) {}
-
-    double number(double low, double high, const char* what)
-    {
-        const std::string word = text();
-        double value = 0;
-        const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-        const bool isNumber = code != std::errc::invalid_argument && end == word.data() + word.size();
-        if (!isNumber || code != std::errc() || !(value >= low && value <= high)) {
-            char bounds[80];
-            std::snprintf(bounds, sizeof bounds, " from %g to %g", low, high);
-            fail(what + std::string(bounds), word);
-        }
-        return value;
-    }
-    int integer(int low, int high, const char* what)
-    {
-        const std::string word = text();
-        int value = 0;
-        const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (code != std::errc() || end != word.data() + word.size() || value < low || value > high) {
-            fail(std::string(what) + " from " + std::to_string(low) + " to " + std::to_string(high), word);
-        }
-        return value;
-    }
-    std::string text() { return words_[next_++]; }
-    /// What was typed, all arguments.
-    std::string typed() const
-    {
-        std::string line;
-        for (const char* word : words_)
-            line.append(line.empty() ? "" : " ").append(word);
-        return line;
-    }
-    void fail(const std::string& expected, const std::string& found)
-    {
-        if (!failure_) {
-            failure_ = Failure{std::string("option -") + option_ + ": expected " + expected + ", found '" +
-                               found + "'"};
-        }
-    }
-    const std::optional<Failure>& failure() const { return failure_; }
-
-private:
-    const char* option_;
-    Words words_;
-    std::size_t next_ = 0;
-    std::optional<Failure> failure_;
-};
 
 constexpr double kLargest = 1e9;
 constexpr const char* kNumber = "a number";
@@ -83,7 +71,7 @@ struct Option
     Home home;
     OptionSet least;
     const char* help;
-    void (*read)(Options&, Arguments&);
+    std::function<void(Options&, Arguments&)> read;
 };
 
 void readDataRange(Options& options, Arguments& arguments)
@@ -129,7 +117,7 @@ void readView(Options& options, Arguments& arguments)
 
 void readScale(Options& options, Arguments& arguments)
 {
-    for (double& spacing : options.scale)
+    for (double& spacing : options.scale.emplace())
         spacing = arguments.number(kSmallest, kLargest, kNumber);
 }
 
@@ -222,7 +210,12 @@ const std::vector<Option>& optionTable()
          "degrees the volume is turned by (default 0 0); positive latitudes look from below, as in\n"
          "the guide: -view -30 150 looks down",
          readView},
-        {"scale", {"X", "Y", "Z"}, Ours, All, "spacing of the voxels (default 1 1 1)", readScale},
+        {"scale",
+         {"X", "Y", "Z"},
+         Ours,
+         All,
+         "spacing of the voxels (default: the file's, the smallest 1; without one in the file 1 1 1)",
+         readScale},
         {"bricks",
          {"X", "Y", "Z"},
          Ours,
@@ -302,12 +295,26 @@ bool takes(OptionSet set, const Option& option)
     return set == OptionSet::All || option.least == OptionSet::Simple;
 }
 
+/// The options of a program, its own before the last two, which every program ends its list with.
+std::vector<Option> optionsOf(OptionSet set, std::span<const OwnOption> own)
+{
+    std::vector<Option> table;
+    for (const Option& option : optionTable()) {
+        if (std::string(option.name) == "help") {
+            for (const OwnOption& o : own)
+                table.push_back({o.name, o.arguments, Home::Ours, OptionSet::Simple, o.help,
+                                 [read = o.read](Options&, Arguments& arguments) { read(arguments); }});
+        }
+        if (takes(set, option)) table.push_back(option);
+    }
+    return table;
+}
+
 /// The option that `name` (no dash) spells or abbreviates; null if there is none.
-const Option* findOption(const std::string& name, OptionSet set)
+const Option* findOption(const std::string& name, const std::vector<Option>& table)
 {
     const Option* found = nullptr;
-    for (const Option& option : optionTable()) {
-        if (!takes(set, option)) continue;
+    for (const Option& option : table) {
         const std::string full = option.name;
         if (full == name) return &option;
         // -v is a view: nobody abbreviates a version.
@@ -338,8 +345,10 @@ Failure missingArguments(const Option& option, Words found)
 
 } // namespace
 
-Result<Options> parseOptions(std::span<const char* const> words, OptionSet set)
+Result<Options> parseOptions(std::span<const char* const> words, OptionSet set,
+                             std::span<const OwnOption> own)
 {
+    const std::vector<Option> table = optionsOf(set, own);
     Options options;
     bool optionsEnded = false;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -352,7 +361,7 @@ Result<Options> parseOptions(std::span<const char* const> words, OptionSet set)
             optionsEnded = true;
             continue;
         }
-        const Option* option = findOption(word.substr(word.starts_with("--") ? 2 : 1), set);
+        const Option* option = findOption(word.substr(word.starts_with("--") ? 2 : 1), table);
         if (!option) return Failure{"expected an option (-help lists them), found '" + word + "'"};
         const std::size_t count = option->arguments.size();
         const Words rest = words.subspan(i + 1);
@@ -365,12 +374,11 @@ Result<Options> parseOptions(std::span<const char* const> words, OptionSet set)
     return options;
 }
 
-std::string optionsHelp(OptionSet set)
+std::string optionsHelp(OptionSet set, std::span<const OwnOption> own)
 {
     constexpr std::size_t kColumn = 28;
     std::string text;
-    for (const Option& option : optionTable()) {
-        if (!takes(set, option)) continue;
+    for (const Option& option : optionsOf(set, own)) {
         std::string line = std::string("  -") + option.name + " " + argumentNames(option);
         line.resize(std::max(line.size() + 1, kColumn), ' ');
         for (const char* at = option.help; *at; ++at)

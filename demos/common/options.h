@@ -3,6 +3,7 @@
 #include "volume_io/result.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,8 +49,8 @@ struct Options
     /// Degrees.
     double latitude = 0;
     double longitude = 0;
-    /// Spacing of the voxels along x, y, z.
-    std::array<double, 3> scale{1, 1, 1};
+    /// Spacing of the voxels along x, y, z; unset: the file's.
+    std::optional<std::array<double, 3>> scale;
     /// Bricks along x, y, z; unset: as few as textures allow.
     std::optional<std::array<int, 3>> bricks;
     /// Voxels that adjacent bricks share.
@@ -68,14 +69,48 @@ struct Options
     bool version = false;
 };
 
+/// Arguments of one option, taken one after the other; the first one that does not fit is kept as a failure.
+class Arguments
+{
+public:
+    Arguments(const char* option, std::span<const char* const> words) : option_(option), words_(words) {}
+
+    /// A number from low to high; what says which one, for the message.
+    double number(double low, double high, const char* what = "a number");
+    int integer(int low, int high, const char* what);
+    std::string text() { return words_[next_++]; }
+    /// What was typed, all arguments.
+    std::string typed() const;
+    void fail(const std::string& expected, const std::string& found);
+    const std::optional<Failure>& failure() const { return failure_; }
+
+private:
+    const char* option_;
+    std::span<const char* const> words_;
+    std::size_t next_ = 0;
+    std::optional<Failure> failure_;
+};
+
+/// An option that one program alone takes.
+struct OwnOption
+{
+    /// Without the dash.
+    const char* name;
+    /// Names of its arguments, as -help prints them.
+    std::vector<const char*> arguments;
+    const char* help;
+    std::function<void(Arguments&)> read;
+};
+
 /// Reads the words after the program's name. An option may be abbreviated; the guide's options come before
 /// ours, and of several that fit the first in lexicographic order is taken. An option takes its arguments by
 /// count, whatever they look like; of an option given twice the last one counts. `--` ends the options. A
 /// failure names the option, what it expects and what was found.
-Result<Options> parseOptions(std::span<const char* const> words, OptionSet set);
+Result<Options> parseOptions(std::span<const char* const> words, OptionSet set,
+                             std::span<const OwnOption> own = {});
 
 /// The options one by one, as -help prints them.
-std::string optionsHelp(OptionSet set);
+std::string optionsHelp(OptionSet set, std::span<const OwnOption> own = {});
 
 /// Writes out what is left of standard output: 0, or 1 after one line on stderr when it did not all arrive.
 int flushOutput(const char* program);

@@ -26,7 +26,7 @@ struct ScreenCallbacks
     void (*cleanup)();
     /// Positions in a window of width x height (not pixels where the display is dense), from its upper left
     /// corner.
-    void (*press)(Button button, double x, double y) = nullptr;
+    void (*press)(Button button, double x, double y, int width, int height) = nullptr;
     void (*drag)(Button button, double x, double y, int width, int height) = nullptr;
     /// False: leave.
     bool (*key)(int key) = nullptr;

@@ -6,6 +6,8 @@
 #include "trackball.h"
 #include "voglLookup.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,8 +24,7 @@ namespace {
 voIndexedTetraSet* aTetraSet;
 voBrickSetCollection* aVolume;
 std::string programName;
-vo::Model model;
-vo::Orientation orientation;
+VoglView view;
 vo::Trackball trackball;
 std::vector<vo::FrameTime> frameTimes;
 bool errorSeen = false;
@@ -36,14 +37,19 @@ const char* const kKeys =
     "h             print this list\n"
     "Escape        leave\n";
 
+void printKeys()
+{
+    std::printf("%s%s", voglProgram.keys, kKeys);
+}
+
 void printHelp()
 {
     const char* name = programName.c_str();
-    std::printf("Usage: %s [OPTION...] VOLUME.tif\n\n"
-                "Draws a volume in a window; with -output, or where there is no display, into a picture.\n\n"
-                "Example: %s head.tif -color -lutFile brain.lut -view 0 180 -output head.png\n\n"
-                "Options may stand anywhere and may be abbreviated.\n%s\nIn the window:\n%s",
-                name, name, vo::optionsHelp(vo::OptionSet::All).c_str(), kKeys);
+    std::printf("Usage: %s [OPTION...] %s\n\n%s\n\nExample: %s %s\n\n"
+                "Options may stand anywhere and may be abbreviated.\n%s\nIn the window:\n",
+                name, voglProgram.arguments, voglProgram.purpose, name, voglProgram.example,
+                vo::optionsHelp(vo::OptionSet::All, voglProgram.options).c_str());
+    printKeys();
 }
 
 /// Longitudes that end where they began, one step a frame.
@@ -51,7 +57,7 @@ void turnOnce()
 {
     const int frame = int(frameTimes.size()) + 1;
     const double turned = frame == options.frames ? 0 : 360.0 * frame / options.frames;
-    orientation.longitude = options.longitude + turned;
+    view.orientation.longitude = options.longitude + turned;
     if (isatty(STDERR_FILENO)) std::fprintf(stderr, "\rframe %d of %d ", frame, options.frames);
 }
 
@@ -81,9 +87,11 @@ bool draw(int width, int height)
     gl->Enable(GL_DEPTH_TEST);
     gl->ClearColor(0, 0, 0, 1);
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const vo::ViewVolume view = vo::viewVolume(model, options.perspective, width, height);
-    vo::loadProjection(view);
-    vo::loadModelView(model, orientation, view);
+    view.width = width;
+    view.height = height;
+    view.volume = vo::viewVolume(view.model, options.perspective, width, height);
+    vo::loadProjection(view.volume);
+    vo::loadModelView(view.model, view.orientation, view.volume);
     my_DrawVolume(aTetraSet, aVolume);
 
     drawTimer.start();
@@ -99,23 +107,31 @@ void cleanup()
     my_Cleanup(aTetraSet, aVolume);
 }
 
-void press(vo::Button button, double x, double y)
+bool forProgram(vo::Button button, bool pressed, double x, double y, int width, int height)
 {
-    if (button == vo::Button::Left) trackball.press(x, y, orientation);
+    return voglProgram.pointer && voglProgram.pointer(button, pressed, x / width, 1 - y / height);
+}
+
+void press(vo::Button button, double x, double y, int width, int height)
+{
+    if (forProgram(button, true, x, y, width, height)) return;
+    if (button == vo::Button::Left) trackball.press(x, y, view.orientation);
 }
 
 void drag(vo::Button button, double x, double y, int width, int height)
 {
-    if (button == vo::Button::Left) orientation = trackball.drag(x, y);
+    if (forProgram(button, false, x, y, width, height)) return;
+    if (button == vo::Button::Left) view.orientation = trackball.drag(x, y);
     if (button == vo::Button::Middle) moveLookupRamp(x / width, 2 * y / height);
 }
 
 bool key(int code)
 {
+    if (voglProgram.key && voglProgram.key(code)) return true;
     switch (code) {
     case vo::kEscapeKey: return false;
-    case 'h': std::printf("%s", kKeys); break;
-    case 'r': orientation = {options.latitude, options.longitude}; break;
+    case 'h': printKeys(); break;
+    case 'r': view.orientation = {options.latitude, options.longitude}; break;
     case 'w': options.wireframe = !options.wireframe; break;
     default: break;
     }
@@ -126,28 +142,54 @@ bool key(int code)
 /// Reads the command line; what is wrong with it, if anything.
 std::string readCommandLine(int argc, char** argv)
 {
-    const auto parsed = vo::parseOptions({argv + 1, argv + argc}, vo::OptionSet::All);
+    const auto parsed = vo::parseOptions({argv + 1, argv + argc}, vo::OptionSet::All, voglProgram.options);
     if (!parsed) return parsed.failure().text;
     options = *parsed;
-    if (options.help || options.version || options.files.size() == 1) return "";
+    const int count = int(options.files.size());
+    if (options.help || options.version ||
+        (count >= voglProgram.leastArguments && count <= voglProgram.mostArguments))
+        return "";
     std::string found;
     for (const std::string& file : options.files)
         found += " " + file;
-    return "expected the file of one volume (-help says more), found" +
+    return std::string("expected ") + voglProgram.expected + " (-help says more), found" +
            (found.empty() ? " none" : ":" + found);
+}
+
+/// The volume's, or without one where the tetrahedra end.
+std::array<double, 3> sceneSize()
+{
+    std::array<double, 3> size{1, 1, 1};
+    if (aVolume) {
+        int voxels[3];
+        aVolume->getCurrentBrickSet()->getVolumeSizes(voxels[0], voxels[1], voxels[2]);
+        std::copy_n(voxels, 3, size.begin());
+        return size;
+    }
+    voVertexData& vertices = *aTetraSet->getVertexData();
+    for (int vertex = 0; vertex < vertices.getCount(); ++vertex)
+        for (std::size_t i = 0; i < 3; ++i)
+            size[i] = std::max(size[i], double(vertices[vertex][vertices.getValuesPerVertex() - 3 + int(i)]));
+    return size;
 }
 
 void initModel()
 {
-    int size[3];
-    aVolume->getCurrentBrickSet()->getVolumeSizes(size[0], size[1], size[2]);
-    for (std::size_t i = 0; i < 3; ++i)
-        model.size[i] = size[i];
-    model.scale = options.scale;
-    orientation = {options.latitude, options.longitude};
+    const std::array<double, 3> size = sceneSize();
+    for (std::size_t i = 0; i < 3; ++i) {
+        view.model.size[i] = size[i];
+        view.model.scale[i] = double(modelScale[i]);
+    }
+    view.model.margin = voglProgram.margin;
+    view.orientation = {options.latitude, options.longitude};
 }
 
 } // namespace
+
+const VoglView& voglView()
+{
+    return view;
+}
 
 void my_ExceptionHandler(void)
 {
@@ -169,12 +211,15 @@ int main(int argc, char** argv)
     if (options.help) printHelp();
     if (options.version) std::printf("%s\n", voVersion());
     if (options.help || options.version) return vo::flushOutput(programName.c_str());
-    for (int i = 0; i < 3; ++i)
-        modelScale[i] = float(options.scale[std::size_t(i)]);
+    for (std::size_t i = 0; options.scale && i < 3; ++i)
+        modelScale[i] = float((*options.scale)[i]);
 
     voError::setErrorHandler(my_ExceptionHandler);
-    char* arguments[] = {programName.data(), options.files[0].data(), nullptr};
-    aVolume = my_InitAppearance(2, arguments);
+    std::vector<char*> arguments{programName.data()};
+    for (std::string& file : options.files)
+        arguments.push_back(file.data());
+    arguments.push_back(nullptr);
+    aVolume = my_InitAppearance(int(arguments.size()) - 1, arguments.data());
     aTetraSet = my_InitGeometry(aVolume);
     if (errorSeen) return 1;
     initModel();

@@ -88,7 +88,10 @@ void Window::connectInput()
         if (action != GLFW_PRESS || !toButton(button, pressed) || !window.callbacks_.press) return;
         double x = 0, y = 0;
         glfwGetCursorPos(handle, &x, &y);
-        window.callbacks_.press(pressed, x, y);
+        int width = 0, height = 0;
+        glfwGetWindowSize(handle, &width, &height);
+        window.callbacks_.press(pressed, x, y, width, height);
+        window.needsDrawing_ = true;
     });
     glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double x, double y) {
         Window& window = owner(handle);

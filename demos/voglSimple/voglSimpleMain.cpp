@@ -77,7 +77,7 @@ static bool KeybdInput(int key)
     return key != vo::kEscapeKey;
 }
 
-static void ButtonInput(vo::Button, double x, double y)
+static void ButtonInput(vo::Button, double x, double y, int, int)
 {
     lastLatitude = latitude;
     lastLongitude = longitude;

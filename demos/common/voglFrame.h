@@ -1,0 +1,61 @@
+#pragma once
+
+#include "voglVolume.h"
+
+/* A frame of a volume, step by step: what my_InitGeometry and my_DrawVolume of most vogl demos are made of.
+ */
+
+/** The box from `lower` to `upper` as five tetrahedra: one in the middle, four at its corners. */
+voIndexedTetraSet* voglBox(const float lower[3], const float upper[3]);
+/** The box of the whole volume. */
+voIndexedTetraSet* voglBox(const VoglVolume& volume);
+
+/** What the sampling planes cut out of tetrahedra: a face set for each brick and plane. */
+class VoglPolygons
+{
+public:
+    VoglPolygons(voIndexedTetraSet* tetraSet, const VoglVolume& volume, voInterleavedArrayType format);
+    ~VoglPolygons();
+    VoglPolygons(const VoglPolygons&) = delete;
+    VoglPolygons& operator=(const VoglPolygons&) = delete;
+
+    /** Slices the tetrahedra anew for the matrices that are set, against the current set of bricks. The time
+       is added to polygonizeTimer. */
+    void polygonize();
+    /** Draws what polygonize left, back to front, each brick with its texture; the times go to uploadTimer
+       and drawTimer. For formats with voxel coordinates these are turned into texture coordinates once. */
+    void draw();
+    /** Polygons of a brick and a plane; planes from 0, the farthest, to getSamplesNumber() - 1. */
+    voIndexedFaceSet* get(int brickNo, int sampleNo) { return sets_[brickNo][sampleNo]; }
+    int getSamplesNumber() const { return samplesNumber_; }
+    voInterleavedArrayType getFormat() const { return format_; }
+
+private:
+    void bind(int brickNo);
+    void drawByBricks(const voSortAction& order);
+    void drawByPlanes();
+
+    voIndexedTetraSet* tetraSet_;
+    voBrickSetCollection* bricks_;
+    voInterleavedArrayType format_;
+    int maxBrickCount_, maxSamplesNumber_;
+    int samplesNumber_ = 0;
+    voVertexData* vertices_ = nullptr;
+    voIndexedFaceSet*** sets_ = nullptr;
+};
+
+/** With 2D textures: makes the stack current whose slices the viewer sees least obliquely. */
+void voglChooseStack(voBrickSetCollection* bricks);
+
+/** Outlines of tetrahedra (yellow) and, with 3D textures, of bricks (blue), if -wireframe asks for them. */
+void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
+                      voInterleavedArrayType format);
+
+/** Sets what slices are drawn with: textures, texture coordinates (from positions, for formats that have none
+   of their own), blending (over, or the maximum with -mip), filled polygons, no depth writes, white. */
+void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format);
+/** Takes it back. */
+void voglEndSlices(voBrickSetCollection* bricks);
+
+/** All of the above: a whole frame. */
+void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons);

@@ -1,0 +1,229 @@
+#include "voglVolume.h"
+
+#include "brick_io.h"
+#include "voglLookup.h"
+#include "voglMain.h"
+#include "voxel_range.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+// Sizes of bricks of which -bricks, the last ones partly empty, cover the volume.
+int brickSizeFor(int volumeSize, int bricks)
+{
+    return (volumeSize + (bricks - 1) * options.overlap + bricks - 1) / bricks;
+}
+
+// Bricks of no more voxels than they share would never get through the volume.
+void checkOverlap(const char* program, int brickSize)
+{
+    if (brickSize == 1 || brickSize > options.overlap) return;
+    voglFail(program, "option -overlap: expected fewer voxels than a brick has on each side (" +
+                          std::to_string(brickSize) + "), found '" + std::to_string(options.overlap) + "'");
+}
+
+// Sampling planes are at most the diagonal of the scaled volume apart from each other; a view volume is a
+// little deeper.
+double countPlanes(const int volumeSize[3])
+{
+    double diagonal = 0;
+    for (int i = 0; i < 3; i++)
+        diagonal = std::hypot(diagonal, volumeSize[i] * double(modelScale[i]));
+    return std::ceil(1.02 * voglProgram.margin * diagonal / options.sampling) + 1;
+}
+
+// Bricks of the largest set: all of the volume, or with 2D textures the slices of one of three directions.
+double countBricks(const int volumeSize[3], const int brickSize[3])
+{
+    double along[3];
+    for (int i = 0; i < 3; i++) {
+        const int step = std::max(brickSize[i] - options.overlap, 1);
+        along[i] = std::max(std::ceil(double(volumeSize[i] - options.overlap) / step), 1.0);
+    }
+    if (options.textureDimensions == 3) return along[0] * along[1] * along[2];
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        most = std::max(most, volumeSize[i] * along[(i + 1) % 3] * along[(i + 2) % 3]);
+    return most;
+}
+
+std::string whole(double count)
+{
+    char text[400];
+    snprintf(text, sizeof text, "%.0f", count);
+    return text;
+}
+
+// The options of these that the user gave, to begin a message with.
+std::string optionsGiven(bool withBricks)
+{
+    std::string names;
+    int count = 0;
+    const auto add = [&](bool given, const char* name) {
+        if (!given) return;
+        names += (count++ ? " and " : "") + std::string(name);
+    };
+    add(options.sampling != 1, "-sampling");
+    add(options.scale.has_value(), "-scale");
+    add(withBricks && options.bricks, "-bricks");
+    if (count == 0) return "volume: ";
+    return (count == 1 ? "option " : "options ") + names + ": ";
+}
+
+// Refuses what would take minutes or all memory. Each brick gets a set of faces for each plane; what no
+// option asked for may take longer.
+void checkWork(const char* program, const int volumeSize[3], const int brickSize[3])
+{
+    const double mostPlanes = 65536, mostBricks = 4096;
+    const double planes = countPlanes(volumeSize), bricks = countBricks(volumeSize, brickSize);
+    const std::string given = optionsGiven(true);
+    const double mostFaceSets = given == "volume: " ? 1e7 : 2e6;
+    if (planes > mostPlanes)
+        voglFail(program, optionsGiven(false) + "expected at most " + whole(mostPlanes) +
+                              " sampling planes, found " + whole(planes));
+    if (options.bricks && bricks > mostBricks)
+        voglFail(program,
+                 "option -bricks: expected at most " + whole(mostBricks) + " bricks, found " + whole(bricks));
+    if (planes * bricks > mostFaceSets)
+        voglFail(program, given + "expected at most " + whole(mostFaceSets) + " planes times bricks, found " +
+                              whole(planes) + " planes and " + whole(bricks) + " bricks");
+}
+
+void useSpacing(const VoglSource& source)
+{
+    const double finest = std::min({source.spacing[0], source.spacing[1], source.spacing[2]});
+    for (std::size_t i = 0; i < 3; i++)
+        modelScale[i] = float(options.scale ? (*options.scale)[i] : source.spacing[i] / finest);
+}
+
+// The bricks, without voxels; `internalFormat` and the others are chosen for this machine.
+voBrickSetCollection* makeBricks(const char* program, const VoglSource& source, voRenderingMode renderingMode)
+{
+    voExternalFormatType externalFormat;
+    voInternalFormatType internalFormat;
+    voInterpolationType interpolationType =
+        options.textureDimensions == 2 ? voInterpolationTypeScope::_2D : voInterpolationTypeScope::_3D;
+    int brickSize[3];
+    for (std::size_t i = 0; i < 3; i++)
+        brickSize[i] = options.bricks ? brickSizeFor(source.size[i], (*options.bricks)[i]) : source.size[i];
+    voAppearanceActions::getBestParameters(interpolationType, renderingMode, source.dataType,
+                                           source.diskFormat, internalFormat, externalFormat, brickSize[0],
+                                           brickSize[1], brickSize[2]);
+    for (int size : brickSize)
+        checkOverlap(program, size);
+    checkWork(program, source.size, brickSize);
+
+    // Bricks that do not divide the volume are partly empty: nothing of the volume is dropped.
+    return new voBrickSetCollection(source.size[0], source.size[1], source.size[2], brickSize[0],
+                                    brickSize[1], brickSize[2], voPartialBrickTypeScope::AUGMENT,
+                                    options.overlap, internalFormat, externalFormat, source.dataType,
+                                    interpolationType);
+}
+
+// Reads every brick of the current set; the range of the values that are seen, of volumes of one channel.
+vo::ValueRange readBricks(const VoglSource& source, voBrickSet* brickSet)
+{
+    vo::ValueRange seen;
+    voBrickSetIterator brickSetIter(brickSet);
+    for (voBrick* brick; (brick = brickSetIter());) {
+        int origin[3], size[3];
+        void* vdata = brick->getDataPtr();
+        brick->getBrickSizes(origin[0], origin[1], origin[2], size[0], size[1], size[2]);
+        if (source.readBrick(vdata, origin, size)) exit(1);
+        if (source.diskFormat == voExternalFormatTypeScope::LUMINANCE)
+            vo::growRange(seen, *brick, source.size[0], source.size[1], source.size[2]);
+        voAppearanceActions::dataConvert(brick, vdata, source.diskFormat);
+    }
+    return seen;
+}
+
+// The values of the file that become the ends of the table: what -dataRange says, else those that the file
+// has; all values of an 8-bit type, which its files seldom leave unused, and of volumes of several channels.
+vo::ValueRange chooseDataRange(const vo::ValueRange& seen, const char* program, const VoglSource& source)
+{
+    if (seen.low == seen.high)
+        fprintf(stderr, "%s: %s: all voxels are %g; nothing to tell apart\n", program, source.name.c_str(),
+                seen.low);
+    const bool isByte =
+        source.dataType == voDataTypeScope::UNSIGNED_BYTE || source.dataType == voDataTypeScope::BYTE;
+    if (options.dataRange) return {options.dataRange->low, options.dataRange->high};
+    return !isByte && seen.low < seen.high ? seen : vo::fullRange(source.dataType);
+}
+
+} // namespace
+
+void voglFail(const char* program, const std::string& text)
+{
+    fprintf(stderr, "%s: %s\n", program, text.c_str());
+    exit(1);
+}
+
+VoglSource voglOpenFile(const char* program, const char* fileName)
+{
+    if (!fileName) voglFail(program, "expected the file of a volume");
+    VoglSource source;
+    source.name = fileName;
+    char* name = const_cast<char*>(fileName); // the loaders of 1998 do not write to it
+    if (myGetVolumeSizesIfl(name, source.size[0], source.size[1], source.size[2], source.diskFormat,
+                            source.dataType))
+        exit(1);
+    source.readBrick = [name, size = std::array{source.size[0], source.size[1], source.size[2]}](
+                           void* data, const int origin[3], const int brick[3]) {
+        return myReadBrickIfl(name, data, origin[0], origin[1], origin[2], brick[0], brick[1], brick[2],
+                              size[0], size[1], size[2]);
+    };
+    return source;
+}
+
+VoglVolume voglReadVolume(const char* program, const VoglSource& source)
+{
+    VoglVolume volume;
+    std::copy_n(source.size, 3, volume.size);
+    volume.renderingMode = readLookupTable(program);
+    useSpacing(source);
+    volume.bricks = makeBricks(program, source, volume.renderingMode);
+    volume.maxSamplesNumber = int(countPlanes(source.size));
+
+    voBrickSetCollectionIterator collectionIter(volume.bricks);
+    for (voBrickSet* brickSet; (brickSet = collectionIter());) {
+        if (!voAppearanceActions::dataAlloc(brickSet)) exit(1);
+        volume.maxBrickCount = std::max(volume.maxBrickCount, brickSet->getBrickCount());
+    }
+
+    volume.bricks->setCurrentBrickSet(voPlaneOrientationScope::XY);
+    const vo::ValueRange seen = readBricks(source, volume.bricks->getCurrentBrickSet());
+    const vo::ValueRange range = chooseDataRange(seen, program, source);
+    volume.loValue = float(range.low);
+    volume.hiValue = float(range.high);
+    voBrickSetIterator brickSetIter(volume.bricks->getCurrentBrickSet());
+    for (voBrick* brick; (brick = brickSetIter());)
+        voAppearanceActions::dataScaleRange(brick, volume.loValue, volume.hiValue);
+
+    if (volume.bricks->getInterpolationType() == voInterpolationTypeScope::_2D)
+        voAppearanceActions::volumeMakeTransposed(volume.bricks);
+    return volume;
+}
+
+void voglInitTextures(const VoglVolume& volume)
+{
+    initLookupTable(volume.bricks, volume.renderingMode, volume.loValue, volume.hiValue);
+    voAppearanceActions::volumeOptimize(volume.bricks, voOptimizeVolumeTypeScope::BEST_PERFORMANCE);
+}
+
+void voglFreeVolume(VoglVolume& volume)
+{
+    voAppearanceActions::volumeUnoptimize(volume.bricks);
+    voBrickSetCollectionIterator collectionIter(volume.bricks);
+    for (voBrickSet* brickSet; (brickSet = collectionIter());) {
+        voBrickSetIterator brickSetIter(brickSet);
+        for (voBrick* brick; (brick = brickSetIter());)
+            voAppearanceActions::dataFree(brick);
+    }
+    delete volume.bricks;
+    volume.bricks = nullptr;
+}
