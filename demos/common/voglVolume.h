@@ -1,5 +1,8 @@
 #pragma once
 
+// Before any header of <vo/...>.
+#include "gl.h"
+
 #include <vo/Volumizer.h>
 
 #include <functional>
