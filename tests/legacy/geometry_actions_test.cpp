@@ -456,6 +456,168 @@ TEST_F(PolygonizeTest, tetrahedraMayShareTheFaceSetsVertices)
     EXPECT_LE(vertices.getCount(), 1000);
 }
 
+// polygonizeMPR.
+
+struct ReformatTest : testing::Test
+{
+    explicit ReformatTest(voInterpolationType type = voInterpolationTypeScope::_3D)
+        : volume(byteVolume(16, 8, type, 0)), set(volume->getCurrentBrickSet())
+    {
+    }
+
+    /// Area of all parts in voxels, each times the mean of its corners' last colour channel.
+    static double weightedArea(FaceSets& faces, int weight)
+    {
+        double sum = 0;
+        for (int b = 0; b < faces.bricks(); ++b)
+            for (voIndexedFaceSetIterator next(&faces.at(b, 0)); !next.doneP(); next.nextPrimitive()) {
+                std::vector<std::array<float, 3>> corners;
+                double weights = 0;
+                while (const float* record = next.nextVertex()) {
+                    const int values = faces.vertices().getValuesPerVertex();
+                    corners.push_back({record[values - 3], record[values - 2], record[values - 1]});
+                    weights += weight < 0 ? 1.0 : double(record[weight]);
+                }
+                sum += areaOf(corners) * weights / double(corners.size());
+            }
+        return sum;
+    }
+
+    std::unique_ptr<voBrickSetCollection> volume;
+    voBrickSet* set;
+    float across[4] = {1, 1, 0, -16}; ///< from edge to edge of the cube
+};
+
+struct ReformatStackTest : ReformatTest
+{
+    ReformatStackTest() : ReformatTest(voInterpolationTypeScope::_2D) {}
+};
+
+TEST_F(ReformatTest, planeIsCutToBricksInEveryFormat)
+{
+    for (const voInterleavedArrayType format :
+         {Format::DEFAULT, Format::V3F, Format::T3F_V3F, Format::C3F_V3F, Format::C4F_V3F,
+          Format::T3F_C3F_V3F, Format::T3F_C4F_V3F}) {
+        FaceSets faces(set->getBrickCount(), 1, format < 0 ? 3 : getValuesPerVertex(format));
+        EXPECT_EQ(voGeometryActions::polygonizeMPR(across, set, faces, format), 0);
+        EXPECT_NEAR(weightedArea(faces, -1), 16 * 16 * std::sqrt(2.0), 1e-3);
+        const int values = faces.vertices().getValuesPerVertex();
+        for (int i = 0; i < faces.vertices().getCount(); ++i) {
+            const float* record = faces.vertices()[i];
+            EXPECT_NEAR(record[values - 3] + record[values - 2], 16, 1e-5f);
+            for (int axis = 0; hasTextureComponent(format) && axis < 3; ++axis)
+                EXPECT_EQ(record[axis], record[values - 3 + axis]);
+            for (int c = hasTextureComponent(format) ? 3 : 0; c < values - 3; ++c)
+                EXPECT_EQ(record[c], 1.0f);
+        }
+    }
+    expectNoError();
+}
+
+TEST_F(ReformatTest, faceSetsAreEmptiedFirst)
+{
+    FaceSets faces(set->getBrickCount(), 1);
+    voGeometryActions::polygonizeMPR(across, set, faces, Format::V3F);
+    const auto once = faces.contents();
+    voGeometryActions::polygonizeMPR(across, set, faces, Format::V3F);
+    EXPECT_EQ(faces.contents(), once);
+    float outside[4] = {1, 0, 0, 1};
+    EXPECT_EQ(voGeometryActions::polygonizeMPR(outside, set, faces, Format::V3F), 0);
+    EXPECT_EQ(faces.vertices().getCount(), 0);
+    expectNoError();
+}
+
+TEST_F(ReformatTest, polygonIsCutWithItsValues)
+{
+    // An L of 3 x 64 square voxels in the plane z = 8, which is a seam of the bricks.
+    const float corners[6][2] = {{0, 0}, {16, 0}, {16, 8}, {8, 8}, {8, 16}, {0, 16}};
+    voVertexData polygon(6, 4);
+    for (int i = 0; i < 6; ++i) {
+        const float record[] = {corners[i][0] + 2 * corners[i][1], corners[i][0], corners[i][1], 8};
+        std::copy_n(record, 4, polygon[i]);
+    }
+    polygon.setCount(6);
+    FaceSets faces(set->getBrickCount(), 1, 4);
+    EXPECT_EQ(voGeometryActions::polygonizeMPR(&polygon, set, faces, Format::USER_V3F), 0);
+    EXPECT_NEAR(weightedArea(faces, -1), 3 * 64, 1e-4);
+    for (int i = 0; i < faces.vertices().getCount(); ++i)
+        EXPECT_NEAR(faces.vertices()[i][0], faces.vertices()[i][1] + 2 * faces.vertices()[i][2], 1e-4f);
+    expectNoError();
+}
+
+TEST_F(ReformatStackTest, weightsMakeEveryPartCountOnce)
+{
+    for (const voPlaneOrientation stack :
+         {voPlaneOrientationScope::XY, voPlaneOrientationScope::XZ, voPlaneOrientationScope::YZ}) {
+        volume->setCurrentBrickSet(stack);
+        set = volume->getCurrentBrickSet();
+        for (const voInterleavedArrayType format : {Format::C4F_V3F, Format::C3F_V3F, Format::T3F_C4F_V3F}) {
+            FaceSets faces(set->getBrickCount(), 1, getValuesPerVertex(format));
+            float straight[4] = {1, 0, 0, -5.25f};
+            EXPECT_EQ(voGeometryActions::polygonizeMPR(straight, set, faces, format), 0);
+            // Quadrilaterals whose weight is linear from one side to the other.
+            EXPECT_NEAR(weightedArea(faces, hasTextureComponent(format) ? 3 : 0), 16 * 16, 1e-3);
+            EXPECT_EQ(voGeometryActions::polygonizeMPR(across, set, faces, format), 0);
+            EXPECT_NEAR(weightedArea(faces, faces.vertices().getValuesPerVertex() - 4),
+                        16 * 16 * std::sqrt(2.0), 1e-3);
+        }
+    }
+    expectNoError();
+}
+
+TEST_F(ReformatStackTest, formatWithoutColorsIsBadValue)
+{
+    for (const voInterleavedArrayType format : {Format::DEFAULT, Format::V3F, Format::T3F_V3F}) {
+        FaceSets faces(set->getBrickCount(), 1, format == Format::T3F_V3F ? 6 : 3);
+        EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, faces, format), 0);
+        expectBadValue("colours");
+    }
+}
+
+TEST_F(ReformatTest, badArgumentsAreNamedAndNothingIsEmptied)
+{
+    FaceSets faces(set->getBrickCount(), 1);
+    voGeometryActions::polygonizeMPR(across, set, faces, Format::V3F);
+    const auto before = faces.contents();
+    float* noPlane = NULL;
+    EXPECT_NE(voGeometryActions::polygonizeMPR(noPlane, set, faces, Format::V3F), 0);
+    expectBadValue("planeEquation is NULL");
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, NULL, faces, Format::V3F), 0);
+    expectBadValue("brickSet is NULL");
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, NULL, Format::V3F), 0);
+    expectBadValue("polygonSet is NULL");
+    for (const float bad : {0.0f, kNaN, HUGE_VALF}) {
+        float plane[4] = {bad, 0, 0, 1};
+        EXPECT_NE(voGeometryActions::polygonizeMPR(plane, set, faces, Format::V3F), 0);
+        expectBadValue("planeEquation");
+    }
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, faces, Format::USER_V3F), 0);
+    expectBadValue("USER_V3F");
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, faces, Format::C4F_V3F), 0);
+    expectBadValue("values a record");
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, faces, static_cast<voInterleavedArrayType>(7)),
+              0);
+    expectBadEnum("voInterleavedArrayType");
+    voVertexData* noPolygon = NULL;
+    EXPECT_NE(voGeometryActions::polygonizeMPR(noPolygon, set, faces, Format::V3F), 0);
+    expectBadValue("polygon is NULL");
+    voVertexData polygon(4, 6), crossing(5, 3);
+    EXPECT_NE(voGeometryActions::polygonizeMPR(&polygon, set, faces, Format::V3F), 0);
+    expectBadValue("values a record");
+    for (int i = 0; i < 5; ++i) {
+        crossing[i][0] = 8 + 4 * float(std::cos(i * 0.8 * M_PI));
+        crossing[i][1] = 8 + 4 * float(std::sin(i * 0.8 * M_PI));
+    }
+    crossing.setCount(5);
+    EXPECT_NE(voGeometryActions::polygonizeMPR(&crossing, set, faces, Format::V3F), 0);
+    expectBadValue("cross");
+    EXPECT_EQ(faces.contents(), before);
+    FaceSets small(set->getBrickCount(), 1, 3, 9);
+    EXPECT_NE(voGeometryActions::polygonizeMPR(across, set, small, Format::V3F), 0);
+    expectError(voErrorTypeScope::OUT_OF_MEMORY, "full");
+    EXPECT_LE(small.vertices().getCount(), 9);
+}
+
 // sample and clip.
 
 float kUnitTetra[4][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}};
@@ -841,31 +1003,10 @@ TEST_F(DrawTest, cacheKeepsItsSettingsInBounds)
     expectBadEnum();
 }
 
-TEST_F(DrawTest, whatIsNotThereYetIsUnsupportedAndWritesNothing)
+TEST_F(DrawTest, projectedAreaIsNotThereYet)
 {
-    float plane[4] = {0, 0, 1, -8};
     FaceSets faces(1, 1);
-    voVertexData polygon(4, 3);
-    EXPECT_NE(voGeometryActions::polygonizeMPR(plane, volume->getCurrentBrickSet(), faces, Format::V3F), 0);
-    expectUnsupported("not there yet");
-    EXPECT_NE(voGeometryActions::polygonizeMPR(&polygon, volume->getCurrentBrickSet(), faces, Format::V3F),
-              0);
-    expectUnsupported("not there yet");
-
-    int pixel[2] = {1, 1}, viewport[4] = {0, 0, 2, 2};
-    unsigned char voxels[4] = {9, 9, 9, 9};
-    polygon.setCount(4);
-    EXPECT_EQ(voGeometryActions::pick(pixel, viewport, &tetras, volume->getCurrentBrickSet(), Format::V3F,
-                                      model, projection, period, VO_TRUE, &polygon, voxels),
-              VO_FALSE);
-    expectUnsupported("picking is not there yet");
-    EXPECT_EQ(voGeometryActions::pick(pixel, viewport, &tetras, volume->getCurrentBrickSet()->getBrick(0),
-                                      Format::V3F, model, projection, period, VO_FALSE, &polygon, NULL),
-              VO_FALSE);
-    expectUnsupported("picking is not there yet");
-    EXPECT_EQ(polygon.getCount(), 4);
-    EXPECT_EQ(voxels[0], 9);
-
+    int viewport[4] = {0, 0, 2, 2};
     EXPECT_EQ(voGeometryActions::findProjectedArea(&faces.at(0, 0), model, projection, viewport), 0.0f);
     expectUnsupported("not there yet");
 }
