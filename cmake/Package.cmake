@@ -6,8 +6,8 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/volumizer)
 file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 
-# The library and its headers.
-install(TARGETS vo EXPORT volumizer-targets)
+# The libraries and their headers.
+install(TARGETS vo ifl EXPORT volumizer-targets)
 install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 foreach(program ${volumizer_programs})
@@ -28,6 +28,8 @@ write_basic_package_version_file(volumizer-config-version.cmake COMPATIBILITY Sa
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config-version.cmake DESTINATION ${package_dir})
 
-# pkg-config volumizer
-configure_file(cmake/volumizer.pc.in volumizer.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/volumizer.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+# pkg-config volumizer, volumizer-ifl
+foreach(package volumizer volumizer-ifl)
+    configure_file(cmake/${package}.pc.in ${package}.pc @ONLY)
+    install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()

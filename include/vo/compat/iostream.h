@@ -11,13 +11,17 @@ using std::clog;
 using std::cout;
 using std::dec;
 using std::endl;
+using std::ends;
 using std::flush;
 using std::hex;
 using std::ios;
+using std::iostream;
 using std::istream;
 using std::oct;
 using std::ostream;
 using std::streambuf;
+using std::streamoff;
+using std::streampos;
 using std::ws;
 
 #endif
