@@ -116,7 +116,10 @@ public:
                                    GLdouble projMatrix[16]);
     /** Unit view direction in object space. Singular matrices: BAD_VALUE and (0, 0, 1). */
     static void findViewDirection(double viewDir[3], GLdouble modelMatrix[16], GLdouble projMatrix[16]);
-    /** Not there yet: UNSUPPORTED and 0. */
+    /** Area in pixels that the polygons of the face set cover on the screen, the sum over all polygons, whichever
+        side faces the viewer: the fragments that they cost. Each is cut to the view volume first, as OpenGL does, so
+        that nothing outside the viewport, before the near or beyond the far plane counts. viewport as of glViewport:
+        only its sizes matter. Singular matrices, negative sizes: BAD_VALUE and 0. */
     static float findProjectedArea(voIndexedFaceSet *faceSet, GLdouble modelMatrix[16], GLdouble projMatrix[16],
                                    GLint viewport[4]);
 };

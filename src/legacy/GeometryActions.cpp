@@ -5,6 +5,7 @@
 #include "legacy/report.h"
 
 #include "polygonize/clip_polygon.h"
+#include "polygonize/projected_area.h"
 #include "polygonize/slice_tetra.h"
 #include "sort/brick_order.h"
 
@@ -238,11 +239,32 @@ void voGeometryActions::findViewDirection(double viewDir[3], GLdouble modelMatri
     viewDir[2] = 1.0;
 }
 
-float voGeometryActions::findProjectedArea(voIndexedFaceSet*, GLdouble*, GLdouble*, GLint*)
+float voGeometryActions::findProjectedArea(voIndexedFaceSet* faceSet, GLdouble modelMatrix[16],
+                                           GLdouble projMatrix[16], GLint viewport[4])
 {
-    guarded("voGeometryActions::findProjectedArea",
-            [] { vo::unsupported("projected areas are not there yet"); });
-    return 0.0f;
+    double pixels = 0.0;
+    guarded("voGeometryActions::findProjectedArea", [&] {
+        voIndexedFaceSet& faces = required(faceSet, "faceSet");
+        cameraOf(modelMatrix, projMatrix);
+        if (!viewport) badValue("viewport is NULL");
+        if (viewport[2] < 0 || viewport[3] < 0)
+            badValue("a viewport of " + std::to_string(viewport[2]) + " x " + std::to_string(viewport[3]) +
+                     " pixels");
+        const int values = faces.getVertexData()->getValuesPerVertex();
+        if (values < 3) badValue("records of " + std::to_string(values) + " values have no position");
+        const glm::dmat4 toClip = glm::make_mat4(projMatrix) * glm::make_mat4(modelMatrix);
+        const double perUnit = 0.25 * viewport[2] * viewport[3];
+        std::vector<glm::dvec3> polygon;
+        double area = 0.0;
+        for (voIndexedFaceSetIterator next(&faces); !next.doneP(); next.nextPrimitive()) {
+            polygon.clear();
+            while (const float* record = next.nextVertex())
+                polygon.push_back(glm::make_vec3(record + values - 3));
+            area += vo::projectedArea(polygon, toClip);
+        }
+        pixels = area * perUnit;
+    });
+    return static_cast<float>(pixels);
 }
 
 struct voSortAction::Private

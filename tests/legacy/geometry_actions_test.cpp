@@ -1003,12 +1003,84 @@ TEST_F(DrawTest, cacheKeepsItsSettingsInBounds)
     expectBadEnum();
 }
 
-TEST_F(DrawTest, projectedAreaIsNotThereYet)
+// findProjectedArea.
+
+struct ProjectedAreaTest : testing::Test
 {
-    FaceSets faces(1, 1);
-    int viewport[4] = {0, 0, 2, 2};
-    EXPECT_EQ(voGeometryActions::findProjectedArea(&faces.at(0, 0), model, projection, viewport), 0.0f);
-    expectUnsupported("not there yet");
+    void add(std::vector<float> positions) { faces.appendPoly(positions.data(), int(positions.size()) / 3); }
+    float area() { return voGeometryActions::findProjectedArea(&faces, model, projection, viewport); }
+
+    voIndexedFaceSet faces{0, 3, 0};
+    Matrix model, projection = ortho(4, -10, 10); // 8 x 8 units on 80 x 40 pixels
+    GLint viewport[4] = {7, 9, 80, 40};
+};
+
+TEST_F(ProjectedAreaTest, orthographicAreaIsThatOfTheShadow)
+{
+    add({0, 0, 0, 2, 0, 1, 2, 1, 5, 0, 1, 4}); // slanted, over 2 x 1 units
+    EXPECT_NEAR(area(), 2 * 1 * 10 * 5, 1e-3);
+    add({0, 1, 0, 2, 1, 0, 2, 0, 0}); // half of it again, facing away
+    EXPECT_NEAR(area(), 150, 1e-3);
+    model = rotation(60, 0, 1, 0);
+    faces.empty();
+    add({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0});
+    EXPECT_NEAR(area(), 4 * 0.5 * 50, 1e-3);
+    model = rotation(90, 0, 1, 0);
+    EXPECT_NEAR(area(), 0, 1e-3);
+    expectNoError();
+}
+
+TEST_F(ProjectedAreaTest, onlyTheViewVolumeCounts)
+{
+    add({-100, -100, 0, 100, -100, 0, 0, 200, 0});
+    EXPECT_NEAR(area(), 80 * 40, 1e-2);
+    faces.empty();
+    add({3, 3, 0, 5, 3, 0, 5, 5, 0, 3, 5, 0});
+    EXPECT_NEAR(area(), 50, 1e-3);
+    faces.empty();
+    add({0, 0, 11, 1, 0, 11, 1, 1, 11}); // before the near plane
+    add({0, 0, -11, 1, 0, -11, 1, 1, -11});
+    add({5, 0, 0, 6, 0, 0, 6, 1, 0});
+    EXPECT_EQ(area(), 0.0f);
+    expectNoError();
+}
+
+TEST_F(ProjectedAreaTest, perspectiveAreaOfAFloorEndsAtTheNearPlane)
+{
+    // The floor y = -1 under an eye at 0, 2 wide, from 4 behind the eye to 8 ahead; near 1, far 100, 90
+    // degrees.
+    projection = frustum(1, 1, 100);
+    add({-1, -1, 4, 1, -1, 4, 1, -1, -8, -1, -1, -8});
+    // At distance z it is 2 / z wide at height -1 / z: from -1 (near plane) to -1 / 8, of a screen 2 x 2.
+    const double trapezium = 0.5 * (2.0 + 2.0 / 8) * (1.0 - 1.0 / 8);
+    EXPECT_NEAR(area(), trapezium * 40 * 20, 1e-2);
+    faces.empty();
+    add({-1, -1, 4, 1, -1, 4, 1, 1, 4}); // behind the eye
+    EXPECT_EQ(area(), 0.0f);
+    expectNoError();
+}
+
+TEST_F(ProjectedAreaTest, badInputDoesNoHarm)
+{
+    EXPECT_EQ(area(), 0.0f);
+    add({0, 0, 0, kNaN, 0, 0, 1, 1, 0});
+    add({0, 0, 0, HUGE_VALF, 0, 0, 1, 1, 0});
+    EXPECT_EQ(area(), 0.0f);
+    expectNoError();
+    add({0, 0, 0, 1, 0, 0, 1, 1, 0});
+    EXPECT_EQ(voGeometryActions::findProjectedArea(NULL, model, projection, viewport), 0.0f);
+    expectBadValue("faceSet is NULL");
+    EXPECT_EQ(voGeometryActions::findProjectedArea(&faces, NULL, projection, viewport), 0.0f);
+    expectBadValue("matrix");
+    EXPECT_EQ(voGeometryActions::findProjectedArea(&faces, model, projection, NULL), 0.0f);
+    expectBadValue("viewport is NULL");
+    viewport[3] = -1;
+    EXPECT_EQ(area(), 0.0f);
+    expectBadValue("80 x -1");
+    viewport[3] = 40;
+    std::fill_n(model.m, 16, 0.0);
+    EXPECT_EQ(area(), 0.0f);
+    expectBadValue("singular");
 }
 
 } // namespace
