@@ -99,7 +99,29 @@ public:
                            voDrawActionCache *cache, voSamplingSpace samplingSpace, float samplingPeriod[3],
                            voDecorationFlags decorations);
 
-    /** Not there yet: UNSUPPORTED and VO_FALSE; coordinates and voxels are left alone. */
+    /** What the viewer sees along the line of sight through the centre of a pixel. pixelPosition is {x, y} in OpenGL's
+        window coordinates, from the lower left, within viewport {x, y, width, height}.
+
+        The samples lie where polygonize has VIEWPORT_ALIGNED surfaces in OBJECT space (for a stack, and a brick of one,
+        AXIS_ALIGNED ones) with the same samplingPeriod, inside the tetrahedra, the bricks' clip boxes and the view
+        volume, each once; samplingPeriod NULL: as many surfaces as coordinates has room for records. The nearest comes
+        first; of more samples than coordinates has room for, the nearest are kept. Returns VO_TRUE when there is one.
+
+        coordinates gets a record a sample, interpolated like polygonize's, and their number as its count, 0 after a
+        miss. Its records are those of the tetrahedra (values of the user in front included); where these are positions
+        alone, T3F_V3F adds voxel coordinates equal to them.
+
+        voxels, unless NULL, gets a voxel a sample, packed one after the other, in the bricks' external format and data
+        type; it needs room for as many as coordinates. flag VO_FALSE: the voxel of the containing brick that holds the
+        sample's voxel coordinates (T3F, else the position), as it lies. flag VO_TRUE: what draw would make of the sample,
+        before blending: the texture filtered, the active lookup table, the vertices' colours or the current one, texture
+        environment and texture matrix, with smooth shading, from the voxels as they are now. It is converted to the
+        external format as dataConvert does, one channel taking luminance 0.30 R + 0.59 G + 0.11 B, and clamped to what
+        the data type holds. It needs a current context (else UNSUPPORTED), and another format than USER_V3F.
+
+        A pixel outside the viewport, singular matrices, records that do not fit, a brick that is met without voxels:
+        BAD_VALUE, VO_FALSE, and nothing is written. The form with one brick looks at that brick alone, all faces of its
+        clip box included. */
     static voBool pick(int pixelPosition[2], int viewport[4], voIndexedTetraSet *tetraSet, voBrickSet *brickSet,
                        voInterleavedArrayType format, GLdouble modelMatrix[16], GLdouble projMatrix[16],
                        float samplingPeriod[3], voBool flag, voVertexData *coordinates, void *voxels);

@@ -198,13 +198,26 @@ TextureResult download(ContextRecord& context, const TextureImage& image, const 
         sendRows(gl, grid, 0, grid.height, 0, grid.depth, storage, type, image.voxels.data());
     else
         sendConverted(gl, image, grid, storage, table);
-    texture.oneChannel = !table && storage.channels == Channels::luminance;
-    texture.hasAlpha = table || (image.texel != TexelFormat::luminance && image.texel != TexelFormat::rgb);
+    const TextureAnswer answer = textureAnswer(image.texel, table != nullptr);
+    texture.oneChannel = answer.oneChannel;
+    texture.hasAlpha = answer.hasAlpha;
     ++context.downloads;
     return gl.GetError() == GL_NO_ERROR ? TextureResult::ok : TextureResult::outOfMemory;
 }
 
 } // namespace
+
+TextureAnswer textureAnswer(TexelFormat texel, bool classified)
+{
+    switch (texel) {
+    case TexelFormat::intensity: return {!classified, true};
+    case TexelFormat::luminance: return {!classified, classified};
+    case TexelFormat::luminanceAlpha:
+    case TexelFormat::rgba: return {false, true};
+    case TexelFormat::rgb: return {false, classified};
+    }
+    return {false, true};
+}
 
 TextureResult bindTexture(ContextRecord& context, const TextureImage& image, bool always)
 {
@@ -213,8 +226,7 @@ TextureResult bindTexture(ContextRecord& context, const TextureImage& image, boo
     const int limit = grid.target == GL_TEXTURE_2D ? context.max2dSize : context.max3dSize;
     if (std::max({grid.width, grid.height, grid.depth}) > limit) return TextureResult::tooLarge;
 
-    const std::shared_ptr<TableSlot>& pre =
-        context.state.activeTables[static_cast<int>(TableKind::preInterpolation)];
+    const TableSlot* pre = activeTable(context, TableKind::preInterpolation);
     const std::uint64_t tableSerial = pre ? pre->serial : 0;
     const auto resident = context.textures.find(image.id);
     const bool fresh = resident != context.textures.end() && resident->second.version == image.version &&
@@ -229,7 +241,7 @@ TextureResult bindTexture(ContextRecord& context, const TextureImage& image, boo
     gl.BindTexture(grid.target, texture.name);
     if (fresh) return TextureResult::ok;
 
-    const TextureResult result = download(context, image, grid, texture, tableSerial ? &pre->table : nullptr);
+    const TextureResult result = download(context, image, grid, texture, pre ? &pre->table : nullptr);
     if (result != TextureResult::ok) {
         context.textureIds.erase(texture.name);
         gl.DeleteTextures(1, &texture.name);

@@ -22,6 +22,15 @@ struct TextureImage
     std::span<const std::byte> voxels; ///< in `format`, x fastest; may be empty while the texture is resident
 };
 
+/// What a texture answers when sampled; a table before interpolation makes red, green, blue and alpha of
+/// anything.
+struct TextureAnswer
+{
+    bool oneChannel; ///< one number, in red
+    bool hasAlpha;   ///< in the sense of GL_REPLACE
+};
+TextureAnswer textureAnswer(TexelFormat texel, bool classified);
+
 enum class TextureResult { ok, tooLarge, outOfMemory, noVoxels };
 
 /// Binds the texture of `image` to the active unit. It is downloaded first when it is not resident, is stale

@@ -132,6 +132,12 @@ bool ContextRecord::ownsCurrentContext() const
     return size == static_cast<GLint>(serial_);
 }
 
+const TableSlot* activeTable(const ContextRecord& context, TableKind kind)
+{
+    const TableSlot* slot = context.state.activeTables[static_cast<int>(kind)].get();
+    return slot && slot->serial ? slot : nullptr;
+}
+
 ContextRecord* currentContext()
 {
     const PlatformContext platform = currentPlatformContext();

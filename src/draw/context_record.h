@@ -120,6 +120,9 @@ private:
     std::string failure_;
 };
 
+/// The table of a kind that is active and loaded; nullptr without.
+const TableSlot* activeTable(const ContextRecord& context, TableKind kind);
+
 /// The record of the context that is current in this thread, made if need be, with everything that was put
 /// off until now done; nullptr without a context. A context older than OpenGL 3.3 gives a record that is not
 /// usable().

@@ -17,8 +17,7 @@ bool isAffine(const glm::mat4& m)
 
 const TableSlot* postTable(const ContextRecord& context)
 {
-    const TableSlot* slot = context.state.activeTables[static_cast<int>(TableKind::postInterpolation)].get();
-    return slot && slot->serial ? slot : nullptr;
+    return activeTable(context, TableKind::postInterpolation);
 }
 
 ProgramVariant variantFor(const ContextRecord& context, const DrawState& state, const RecordLayout& layout)
