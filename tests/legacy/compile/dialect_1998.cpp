@@ -1,6 +1,7 @@
 // What sources of 1998 take for granted: stream names without std, text literals as char *, assignments as
 // conditions, an implicit double to int, and C's headers and <GL/gl.h> from <vo/...>. Compiled as C++98 with
 // -fpermissive and include/vo/compat on the path, whose <GL/gl.h> declares the extensions.
+// ROW(B7) ROW(B8) of tests/contract/checklist.txt.
 
 #include <GL/gl.h>
 #include <vo/Volumizer.h>

@@ -1,0 +1,22 @@
+// U: timers (page 98).
+
+#include <vo/utPerfMeter.h>
+
+#include <sstream>
+
+#include "rows.h"
+
+namespace DIALECT {
+
+void utilities()
+{
+    ROW(U1);
+    voutTimer timer;
+    timer.start();
+    timer.stop();
+    std::ostringstream out;
+    out << timer;
+    is<std::ostream& (*)(std::ostream&, const voutTimer&)>(&operator<<);
+}
+
+} // namespace DIALECT
