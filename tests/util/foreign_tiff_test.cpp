@@ -468,13 +468,13 @@ TEST_F(ForeignTiffTest, hugeSizesInASmallFileFailBeforeMemoryIsAsked)
 TEST_F(ForeignTiffTest, junkEmptyMissingAndFolderAreTold)
 {
     std::ofstream(path_) << "this is no TIFF";
-    expectSays(failureOfReading(path_), {"a.tif: expected a TIFF volume", "found \"this\""});
+    expectSays(failureOfReading(path_), {"a.tif: expected a volume (TIFF", "found \"this\""});
     std::ofstream{path_}.close();
-    expectSays(failureOfReading(path_), {"a.tif: expected a TIFF volume", "an empty file"});
+    expectSays(failureOfReading(path_), {"a.tif: expected a volume (TIFF", "an empty file"});
     std::ofstream(path_) << std::string("II*\0", 4) << "junk";
     expectSays(failureOfReading(path_), {"a.tif: "});
     expectSays(failureOfReading(folder_ / "none.tif"), {"none.tif: cannot open: No such file"});
-    expectSays(failureOfReading(folder_ / ""), {": expected a regular file, found a folder"});
+    expectSays(failureOfReading(folder_ / ""), {": expected a folder with DICOM pictures, found none in"});
 }
 
 TEST_F(ForeignTiffTest, libtiffPrintsNothing)

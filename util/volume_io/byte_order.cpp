@@ -6,22 +6,30 @@
 #include "volume_io.h"
 
 namespace vo {
+namespace {
+
+template <std::size_t Size>
+void swapEach(std::span<std::byte> bytes)
+{
+    for (std::size_t i = 0; i + Size <= bytes.size(); i += Size)
+        for (std::size_t k = 0; k < Size / 2; ++k)
+            std::swap(bytes[i + k], bytes[i + Size - 1 - k]);
+}
+
+} // namespace
 
 ByteOrder nativeByteOrder()
 {
     return std::endian::native == std::endian::big ? ByteOrder::bigEndian : ByteOrder::littleEndian;
 }
 
-void swapBytes(std::span<std::byte> bytes, int bytesPerChannel)
+void swapBytes(std::span<std::byte> bytes, int bytesPerNumber)
 {
-    if (bytesPerChannel == 2) {
-        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
-            std::swap(bytes[i], bytes[i + 1]);
-    } else if (bytesPerChannel == 4) {
-        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) {
-            std::swap(bytes[i], bytes[i + 3]);
-            std::swap(bytes[i + 1], bytes[i + 2]);
-        }
+    switch (bytesPerNumber) {
+    case 2: return swapEach<2>(bytes);
+    case 4: return swapEach<4>(bytes);
+    case 8: return swapEach<8>(bytes);
+    default: break;
     }
 }
 

@@ -5,7 +5,7 @@
 
 namespace vo {
 
-/// Reverses the bytes of each channel in place; channels of one byte stay as they are.
-void swapBytes(std::span<std::byte> bytes, int bytesPerChannel);
+/// Reverses the bytes of each number (of 2, 4 or 8 bytes) in place; numbers of one byte stay as they are.
+void swapBytes(std::span<std::byte> bytes, int bytesPerNumber);
 
 } // namespace vo

@@ -33,6 +33,7 @@ public:
         : places_(std::move(places)), swapped_(layout.byteOrder != nativeByteOrder())
     {
         info_ = layout.info;
+        description_.format = "raw";
     }
 
     Result<void> read(const Region& inside, const BrickView& brick) override

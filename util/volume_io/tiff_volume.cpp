@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "byte_order.h"
 #include "deflate_check.h"
+#include "full_alpha.h"
 #include "tiff_layout.h"
 
 namespace vo {
@@ -14,21 +14,6 @@ namespace {
 // LZW, the strongest of the compressions read, makes at most 1365 bytes of one: a block that is to become
 // more than this is a lie, and would cost memory before it is found out.
 constexpr std::int64_t kMostBytesPerEncodedByte = 4096;
-
-/// The largest value of a type, or 1 for float: full alpha for files that have none.
-std::array<std::byte, 4> fullAlpha(ChannelType type)
-{
-    std::array<std::byte, 4> bytes{};
-    const auto put = [&bytes](auto value) { std::memcpy(bytes.data(), &value, sizeof value); };
-    switch (type) {
-    case ChannelType::uint8: put(std::numeric_limits<std::uint8_t>::max()); break;
-    case ChannelType::int8: put(std::numeric_limits<std::int8_t>::max()); break;
-    case ChannelType::uint16: put(std::numeric_limits<std::uint16_t>::max()); break;
-    case ChannelType::int16: put(std::numeric_limits<std::int16_t>::max()); break;
-    case ChannelType::float32: put(1.0f); break;
-    }
-    return bytes;
-}
 
 /// Copies a row of pixels as they lie in a block to voxels as they lie in memory.
 class PixelCopy
@@ -135,6 +120,7 @@ bool isReducedCopyOrMask(TIFF* tiff)
 
 Result<void> TiffReader::open()
 {
+    description_.format = "TIFF";
     announcedPages_ = announcedPages(tiff_.get());
     for (std::int64_t page = 0;; ++page) {
         if (auto added = addCurrentPage(page); !added) return added;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
+#include <string_view>
 
+#include "deflate_stream.h"
 #include "input_file.h"
 #include "volume_reader.h"
 
@@ -39,11 +42,91 @@ std::string readable(std::span<const std::byte> bytes)
     return text;
 }
 
-bool beginsLikeTiff(std::span<const std::byte, 4> bytes)
+enum class FileKind { tiff, nrrd, nifti, metaImage, dicom, png, unknown };
+
+/// The first bytes of a file, and those of what it decompresses to where it is a gzip file.
+struct FileStart
 {
-    for (const char* magic : {"II\x2a\0", "MM\0\x2a", "II\x2b\0", "MM\0\x2b"})
-        if (std::memcmp(bytes.data(), magic, 4) == 0) return true;
+    std::vector<std::byte> bytes, unpacked;
+};
+
+bool holds(std::span<const std::byte> bytes, std::size_t offset, std::string_view text)
+{
+    return bytes.size() >= offset + text.size() &&
+           std::memcmp(bytes.data() + offset, text.data(), text.size()) == 0;
+}
+
+bool beginsLikeTiff(std::span<const std::byte> bytes)
+{
+    using namespace std::string_view_literals;
+    for (const auto magic : {"II\x2a\0"sv, "MM\0\x2a"sv, "II\x2b\0"sv, "MM\0\x2b"sv})
+        if (holds(bytes, 0, magic)) return true;
     return false;
+}
+
+bool beginsLikeNifti(std::span<const std::byte> bytes)
+{
+    for (const char* magic : {"n+1", "ni1"})
+        if (holds(bytes, 344, magic)) return true;
+    for (const char* magic : {"n+2", "ni2"})
+        if (holds(bytes, 4, magic)) return true;
+    return false;
+}
+
+/// Whether the first line is a field of the MetaImage header.
+bool beginsLikeMetaImage(std::span<const std::byte> bytes)
+{
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const auto first = text.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return false;
+    const auto line = text.substr(first, text.find('\n', first) - first);
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos) return false;
+    for (const char* key : {"ObjectType", "NDims", "Comment", "ID", "Name", "DimSize", "BinaryData"})
+        if (line.starts_with(key) && line.find_first_not_of(" \t", std::strlen(key)) == equals) return true;
+    return false;
+}
+
+FileKind kindByContent(const FileStart& start)
+{
+    using namespace std::string_view_literals;
+    if (beginsLikeTiff(start.bytes)) return FileKind::tiff;
+    if (holds(start.bytes, 0, "\x89PNG\r\n\x1a\n"sv)) return FileKind::png;
+    if (holds(start.bytes, 0, "NRRD000"sv)) return FileKind::nrrd;
+    if (beginsLikeNifti(start.unpacked.empty() ? start.bytes : start.unpacked)) return FileKind::nifti;
+    if (holds(start.bytes, 128, "DICM"sv)) return FileKind::dicom;
+    if (beginsLikeMetaImage(start.bytes)) return FileKind::metaImage;
+    return FileKind::unknown;
+}
+
+/// For files whose content says nothing: damaged ones, and those of a NIfTI pair that hold the voxels.
+FileKind kindByEnding(const std::string& path)
+{
+    std::string lower = path;
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    const std::pair<const char*, FileKind> endings[] = {
+        {".nii", FileKind::nifti},     {".nii.gz", FileKind::nifti},  {".hdr", FileKind::nifti},
+        {".hdr.gz", FileKind::nifti},  {".img", FileKind::nifti},     {".img.gz", FileKind::nifti},
+        {".mhd", FileKind::metaImage}, {".mha", FileKind::metaImage}, {".dcm", FileKind::dicom},
+        {".ima", FileKind::dicom},
+    };
+    for (const auto& [ending, kind] : endings)
+        if (lower.ends_with(ending)) return kind;
+    return FileKind::unknown;
+}
+
+Result<FileStart> startOf(const InputFile& file)
+{
+    constexpr std::size_t kEnough = 544; // as long as the longest header, NIfTI-2's
+    FileStart start;
+    start.bytes.resize(static_cast<std::size_t>(std::min<std::int64_t>(file.size(), kEnough)));
+    if (auto read = file.readAt(0, start.bytes); !read) return read.failure();
+    if (!beginsLikeGzip(start.bytes)) return start;
+    start.unpacked.resize(kEnough);
+    DeflateStream stream(file, 0);
+    const auto count = stream.readSome(start.unpacked);
+    start.unpacked.resize(count ? static_cast<std::size_t>(*count) : 0);
+    return start;
 }
 
 } // namespace
@@ -100,6 +183,11 @@ const VolumeInfo& VolumeFile::info() const
     return reader_->info();
 }
 
+const VolumeDescription& VolumeFile::description() const
+{
+    return reader_->description();
+}
+
 const ReadCounters& VolumeFile::counters() const
 {
     return reader_->counters();
@@ -122,16 +210,25 @@ Result<void> VolumeFile::readBrick(const Region& region, std::span<std::byte> ou
 
 Result<VolumeFile> openVolume(const std::string& path)
 {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) return openDicomFolder(path);
     const auto file = InputFile::open(path);
     if (!file) return file.failure();
-    std::array<std::byte, 4> magic{};
-    const auto count = static_cast<std::size_t>(std::min<std::int64_t>(file->size(), magic.size()));
-    if (auto read = file->readAt(0, std::span(magic).first(count)); !read) return read.failure();
-    if (!beginsLikeTiff(magic))
-        return Failure{path +
-                       ": expected a TIFF volume (II or MM and 42 or 43 in its first 4 bytes), found " +
-                       readable(std::span(magic).first(count))};
-    return openTiffVolume(path);
+    const auto start = startOf(*file);
+    if (!start) return start.failure();
+    FileKind kind = kindByContent(*start);
+    if (kind == FileKind::unknown && file->size() > 0) kind = kindByEnding(path);
+    switch (kind) {
+    case FileKind::tiff: return openTiffVolume(path);
+    case FileKind::nrrd: return openNrrdVolume(path);
+    case FileKind::nifti: return openNiftiVolume(path);
+    case FileKind::metaImage: return openMetaImageVolume(path);
+    case FileKind::dicom: return openDicomFile(path);
+    case FileKind::png: return openPngVolume(path);
+    case FileKind::unknown: break;
+    }
+    return Failure{path + ": expected a volume (TIFF, NRRD, NIfTI, MetaImage, DICOM or PNG), found " +
+                   readable(std::span(start->bytes).first(std::min<std::size_t>(start->bytes.size(), 4)))};
 }
 
 } // namespace vo

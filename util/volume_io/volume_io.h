@@ -37,6 +37,40 @@ struct VolumeInfo
     friend bool operator==(const VolumeInfo&, const VolumeInfo&) = default;
 };
 
+/// Where the axes of a volume point in the patient. Three directions make its frame: x to the patient's
+/// right, y to the front (anterior), z up (superior).
+struct Orientation
+{
+    /// False where the file does not say; then the voxels keep the order of the file.
+    bool known = false;
+    /// Where the x, y and z axes of the file point: R or L, A or P, S or I each, as in "LPS". A volume whose
+    /// orientation is known arrives as "RAS" whatever the file has: axes are exchanged and turned round, no
+    /// voxel changes its value.
+    std::string fileAxes;
+    /// Unit vectors along x, y and z of the volume as it arrives, in the patient's frame: near the identity,
+    /// exactly that for a volume that is not oblique.
+    std::array<std::array<double, 3>, 3> direction{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    /// Angle of the rotation that is left between the volume's axes and the patient's.
+    double obliqueDegrees = 0;
+};
+
+/// What a file says about its voxels beside their shape.
+struct VolumeDescription
+{
+    /// "TIFF", "NIfTI-1", "DICOM" ...
+    std::string format;
+    /// Distance of voxels along x, y and z, in mm, above 0; 1 where the file does not say.
+    std::array<double, 3> spacing{1, 1, 1};
+    bool spacingKnown = false;
+    Orientation orientation;
+    /// What a value v of the file stands for: slope * v + intercept. Voxels arrive without it.
+    double slope = 1;
+    double intercept = 0;
+    /// What a user should know, one line each without the file's name: numbers that were converted, parts of
+    /// the file that are left out.
+    std::vector<std::string> notes;
+};
+
 /// Bytes of `voxels` voxels per axis; a failure if a size lies outside 1..2^31-1 or the product reaches 2^63.
 Result<std::int64_t> volumeBytes(const std::array<std::int64_t, 3>& voxels, int bytesPerVoxel);
 
@@ -71,6 +105,7 @@ public:
     ~VolumeFile();
 
     const VolumeInfo& info() const;
+    const VolumeDescription& description() const;
 
     /// Reads the voxels of `region` into `out`, x fastest, zero outside the volume. `out` has exactly
     /// size x * size y * size z * bytesPerVoxel() bytes. Slices and rows that the region does not need are
@@ -84,13 +119,17 @@ private:
     std::unique_ptr<VolumeReader> reader_;
 };
 
-/// Opens a volume in a TIFF file, classic or BigTIFF, either byte order: a stack of pages of one size,
-/// channel count and type (page k is slice z = k, the first row of a page is y = 0, whatever its orientation
-/// tag says; reduced copies and masks are passed over), or SGI's 3D TIFF (one directory with ImageDepth above
-/// 1). Read: 8 and 16 bits, signed and unsigned, and 32-bit float; 1, 2, 3 and 4 channels, together or in
-/// separate planes; strips and tiles; uncompressed, LZW, deflate, PackBits. Three channels arrive as RGBA
-/// with full alpha (the largest value of the type, 1 for float). Everything is checked on opening, so that a
-/// stack that has lost pages or bytes fails here and says what is missing.
+/// Opens a volume: a file of one of these formats, known by its content, or a folder with a DICOM series.
+/// docs/formats.md tells what of each is read.
+///  - TIFF, classic or BigTIFF: a stack of pages (page k is slice z = k, the first row of a page is y = 0,
+///    whatever its orientation tag says; reduced copies and masks are passed over) or SGI's 3D TIFF (one
+///    directory with ImageDepth above 1).
+///  - NRRD, NIfTI-1 and -2 (also compressed, also as .hdr and .img), MetaImage, DICOM, PNG (one slice).
+/// Volumes that say how they lie in the patient arrive with x to the right, y to the front and z up; all
+/// others, TIFF and PNG among them, in the order of the file. Numbers of types that ChannelType lacks become
+/// float32, with a note. Three channels arrive as RGBA with full alpha (the largest value of the type, 1 for
+/// float). Files that can only be decoded whole are decoded here and kept in memory. Everything is checked
+/// on opening, so that a file that has lost pages or bytes fails here and says what is missing.
 Result<VolumeFile> openVolume(const std::string& path);
 
 enum class ByteOrder { littleEndian, bigEndian };

@@ -38,15 +38,35 @@ public:
     virtual Result<void> read(const Region& inside, const BrickView& brick) = 0;
 
     const VolumeInfo& info() const { return info_; }
+    const VolumeDescription& description() const { return description_; }
     const ReadCounters& counters() const { return counters_; }
 
 protected:
     VolumeInfo info_;
+    VolumeDescription description_;
     ReadCounters counters_;
 };
 
 /// Opens page stacks and SGI's 3D TIFF. The file is known to begin like a TIFF.
 Result<VolumeFile> openTiffVolume(const std::string& path);
+
+/// Opens a header, with the voxels behind it or in files that it names.
+Result<VolumeFile> openNrrdVolume(const std::string& path);
+
+/// Opens NIfTI-1 and -2, also compressed with gzip; of a pair of files, `path` is either.
+Result<VolumeFile> openNiftiVolume(const std::string& path);
+
+/// Opens .mha and .mhd.
+Result<VolumeFile> openMetaImageVolume(const std::string& path);
+
+/// Opens one file of one or more frames.
+Result<VolumeFile> openDicomFile(const std::string& path);
+
+/// Opens the series of a folder that has the most slices.
+Result<VolumeFile> openDicomFolder(const std::string& path);
+
+/// Opens a picture as a volume of one slice.
+Result<VolumeFile> openPngVolume(const std::string& path);
 
 /// Sizes for messages: "64 x 32 x 16".
 std::string sizeText(const std::array<std::int64_t, 3>& size);

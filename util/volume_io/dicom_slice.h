@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "stored_voxels.h"
+
+namespace vo {
+
+/// What a DICOM file says of its picture or pictures. The only part that knows GDCM.
+struct DicomSlice
+{
+    std::string path;
+    std::string series;            // the series' unique identifier
+    std::string seriesDescription; // may be empty
+    std::int64_t columns = 0, rows = 0, frames = 1;
+    int channels = 1;
+    int bitsAllocated = 0, bitsStored = 0, highBit = 0;
+    bool isSigned = false;
+    bool lowIsWhite = false;
+    /// Unit vectors along rows and columns and the first voxel's place, in mm left, back, up.
+    std::optional<std::array<Vector3, 2>> directions;
+    std::optional<Vector3> position;
+    /// Distance of columns and of rows, in mm; not above 0 where the file does not say.
+    std::array<double, 2> spacing{};
+    /// Distance of frames or slices as the file has it; 0 where it does not.
+    double sliceSpacing = 0;
+    double slope = 1, intercept = 0;
+    std::int64_t instance = 0;
+    bool isCompressed = false;
+
+    StoredLayout layout() const;
+};
+
+/// Reads everything but the pixels. None for a file that is no DICOM picture, a failure for one that is but
+/// cannot be read.
+Result<std::optional<DicomSlice>> readDicomHeader(const std::string& path);
+
+/// Reads the pixels, all frames, into memory of exactly their size: channels side by side, in this machine's
+/// byte order, bits that belong to no value cleared or filled with the sign.
+Result<void> readDicomPixels(const DicomSlice& slice, std::span<std::byte> out);
+
+} // namespace vo
