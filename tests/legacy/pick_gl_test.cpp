@@ -320,6 +320,41 @@ TEST_F(PickStateGL, textureMatrixMovesTheVoxels)
     EXPECT_FLOAT_EQ((picked<float, 1>(*ramp)[0]), 1.75f);
 }
 
+TEST_F(PickStateGL, textureMatrixOfAStackHasTheTwoCoordinatesThatItsTexturesHave)
+{
+    context->gl().Color4f(1, 1, 1, 1);
+    voBrickSetCollection stacks(4, 4, 4, 4, 4, 4, voPartialBrickTypeScope::TRUNCATE, 0, Internal::DEFAULT,
+                                External::LUMINANCE, Type::FLOAT, voInterpolationTypeScope::_2D);
+    stacks.setCurrentBrickSet(voPlaneOrientationScope::XZ);
+    for (int y = 0; y < 4; ++y) {
+        float* voxels =
+            static_cast<float*>(voAppearanceActions::dataAlloc(stacks.getCurrentBrickSet()->getBrick(y)));
+        for (int i = 0; i < 16; ++i)
+            voxels[i] = static_cast<float>(i % 4 + 10 * y + i / 4 * 100); // x, y, z
+    }
+    view.model = multiply(translation(0, 4, 0), rotation(90, 1, 0, 0)); // along -y, z points down
+    view.projection = ortho(0, 4, 0, 4, -10, 10);
+    const float before = picked<float, 1>(stacks)[0];
+    context->gl().MatrixMode(GL_TEXTURE);
+    context->gl().Translatef(0.25f, -0.25f, 0.25f); // one voxel more in x, one less in z
+    EXPECT_FLOAT_EQ((picked<float, 1>(stacks)[0]), before + 1 - 100);
+}
+
+TEST_F(PickStateGL, oneChannelLooksAllComponentsUp)
+{
+    context->gl().Color4f(1, 1, 1, 1);
+    std::vector<float> entries = {0, 0, 0, 0, 0.5f, 0.25f, 0.125f, 0.75f};
+    voLookupTablePost table(Internal::RGBA8_EXT, 2, External::RGBA, Type::FLOAT, entries.data());
+    table.load();
+    table.enable();
+    const auto rgba =
+        volume<float>(Type::FLOAT, External::RGBA, {0.5f, 1.0f, 0.25f, 1.0f}, Internal::LUMINANCE8_EXT);
+    EXPECT_EQ((picked<float, 4>(*rgba)), (std::array{0.25f, 0.125f, 0.0625f, 0.375f}));
+    const auto two = volume<float>(Type::FLOAT, External::RGBA, {0.5f, 1.0f, 0.25f, 1.0f},
+                                   Internal::LUMINANCE8_ALPHA8_EXT);
+    EXPECT_EQ((picked<float, 4>(*two)), (std::array{0.25f, 0.125f, 0.0625f, 0.75f}));
+}
+
 TEST_F(PickStateGL, valuesBetweenVoxelsAreInterpolated)
 {
     context->gl().Color4f(1, 1, 1, 1);

@@ -307,6 +307,43 @@ TEST(Pick, seamsOfBricksAndTetrahedraYieldEachSampleOnce)
     expectNoError();
 }
 
+/// Cells of six tetrahedra each, whose edges and faces are what lines of whole pixels run in.
+TEST(Pick, latticeOfTetrahedraYieldsEachSampleOnce)
+{
+    const VoxelSize size{16, 16, 16};
+    PickVolume volume(size, 16, Type::UNSIGNED_BYTE, External::LUMINANCE, voInterpolationTypeScope::_3D, 0);
+    std::vector<float> records;
+    std::vector<int> indices;
+    for (int i = 0; i < 125; ++i)
+        for (const int cell : {i % 5, i / 5 % 5, i / 25})
+            records.push_back(4.0f * float(cell));
+    for (int i = 0; i < 125; ++i) {
+        if (i % 5 == 4 || i / 5 % 5 == 4 || i / 25 == 4) continue;
+        int way[3] = {1, 5, 25};
+        do {
+            int vertex = i;
+            indices.push_back(vertex);
+            for (const int step : way)
+                indices.push_back(vertex += step);
+        } while (std::next_permutation(way, way + 3));
+    }
+    voIndexedTetraSet tetras(records.data(), 125, 3, indices.data(), int(indices.size()));
+    for (const auto& [turn, x, y] :
+         {std::tuple(0, 1, 0), {90, 1, 0}, {180, 1, 0}, {270, 1, 0}, {90, 0, 1}, {270, 0, 1}})
+        for (const int roll : {0, 90, 30}) {
+            PickCall call;
+            call.view.model =
+                multiply(multiply(rotation(roll, 0, 0, 1), rotation(turn, x, y, 0)), translation(-8, -8, -8));
+            call.view.projection = ortho(-8.5, 8.5, -8.5, 8.5, -20, 20);
+            call.viewport[2] = call.viewport[3] = 17;
+            for (call.pixel[1] = 5; call.pixel[1] < 12; ++call.pixel[1])
+                for (call.pixel[0] = 5; call.pixel[0] < 12; ++call.pixel[0])
+                    ASSERT_EQ(call(tetras, volume.bricks.getCurrentBrickSet()).records.size(), 16u)
+                        << turn << " " << roll << ", pixel " << call.pixel[0] << " " << call.pixel[1];
+        }
+    expectNoError();
+}
+
 TEST(Pick, perspectiveLineThroughACornerOfTetrahedraYieldsEachSampleOnce)
 {
     const VoxelSize size{16, 16, 16};
@@ -482,6 +519,48 @@ TEST(Pick, valuesOfTheUserInFrontAreInterpolatedToo)
         expectVoxels(result, volume, 1);
         expectNoError();
     }
+}
+
+TEST(Pick, voxelCoordinatesMayFollowValuesOfTheUser)
+{
+    const VoxelSize size{16, 16, 16};
+    PickVolume volume(size, 7);
+    PickGeometry geometry(size);
+    for (const glm::dvec3& p : geometry.positions)
+        geometry.addRecord({1000, p.y, p.z, p.x}, 3.0 * p);
+    PickCall call;
+    call.view = orthographicView({20, 30}, {48, 48, 48}, kPixels, kPixels);
+    call.format = Format::T3F_V3F;
+    call.values = 7;
+    const PickResult result = call(geometry.tetras(), volume.bricks.getCurrentBrickSet());
+    ASSERT_GT(result.records.size(), 10u);
+    for (const std::vector<float>& r : result.records) {
+        EXPECT_NEAR(r[0], 1000, 1e-2);
+        EXPECT_NEAR(r[1], r[5] / 3, 1e-4);
+    }
+    expectVoxels(result, volume, 1);
+    expectNoError();
+}
+
+/// Surfaces of a stack lie on both ends of the geometry, and those belong to it.
+TEST(Pick, bothEndsOfTheGeometryAreSampled)
+{
+    const VoxelSize size{16, 16, 16};
+    PickVolume volume(size, 16, Type::UNSIGNED_BYTE, External::LUMINANCE, voInterpolationTypeScope::_2D);
+    volume.bricks.setCurrentBrickSet(voPlaneOrientationScope::XY);
+    PickGeometry geometry(size);
+    for (const glm::dvec3& p : geometry.positions)
+        geometry.addRecord({}, {p.x, p.y, p.z == 0 ? 2.5 : 12.5});
+    PickCall call;
+    call.view.projection = ortho(0, 16, 0, 16, -17, 1);
+    for (const int pixel : {20, 31, 40}) {
+        call.pixel[0] = pixel;
+        const PickResult result = call(geometry.tetras(), volume.bricks.getCurrentBrickSet());
+        ASSERT_EQ(result.records.size(), 11u);
+        EXPECT_EQ(result.records.front()[2], 12.5f);
+        EXPECT_EQ(result.records.back()[2], 2.5f);
+    }
+    expectNoError();
 }
 
 TEST(Pick, stacksAreSampledInTheirSlices)
