@@ -118,7 +118,8 @@ void VoglSection::drawDepth()
 {
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl->Enable(GL_POLYGON_OFFSET_FILL);
-    gl->PolygonOffset(1, 4);
+    // More than the depths of two polygons in one plane differ by rounding, less than anything that shows.
+    gl->PolygonOffset(0, 64);
     drawFaces();
     gl->Disable(GL_POLYGON_OFFSET_FILL);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

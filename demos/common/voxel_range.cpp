@@ -61,6 +61,25 @@ void growRange(ValueRange& range, const voBrick& brick, int xVolumeSize, int yVo
     }
 }
 
+std::vector<double> channelValues(voDataType type, const void* channels, std::size_t count)
+{
+    std::vector<double> values(count);
+    const auto read = [&]<typename Value>(Value) {
+        std::copy_n(static_cast<const Value*>(channels), count, values.begin());
+    };
+    switch (type) {
+    case voDataTypeScope::UNSIGNED_BYTE: read(std::uint8_t()); break;
+    case voDataTypeScope::BYTE: read(std::int8_t()); break;
+    case voDataTypeScope::UNSIGNED_SHORT: read(std::uint16_t()); break;
+    case voDataTypeScope::SHORT: read(std::int16_t()); break;
+    case voDataTypeScope::UNSIGNED_INT: read(std::uint32_t()); break;
+    case voDataTypeScope::INT: read(std::int32_t()); break;
+    case voDataTypeScope::FLOAT: read(float()); break;
+    default: break;
+    }
+    return values;
+}
+
 ValueRange fullRange(voDataType type)
 {
     switch (type) {

@@ -2,6 +2,9 @@
 
 #include <vo/Appearance.h>
 
+#include <cstddef>
+#include <vector>
+
 namespace vo {
 
 /// The smallest and the largest value of voxels; low > high while nothing was seen.
@@ -17,5 +20,8 @@ void growRange(ValueRange& range, const voBrick& brick, int xVolumeSize, int yVo
 
 /// All values of a type; of floats 0 to 1.
 ValueRange fullRange(voDataType type);
+
+/// Channels of a type one after the other, as numbers. Packed types have no channels to read: all 0.
+std::vector<double> channelValues(voDataType type, const void* channels, std::size_t count);
 
 } // namespace vo
