@@ -117,7 +117,8 @@ public:
 };
 typedef voPlaneOrientationScope::voPlaneOrientation voPlaneOrientation;
 
-/** Family of sampling surfaces (guide, page 52). DEFAULT is VIEWPORT_ALIGNED; SPHERICAL answers UNSUPPORTED. */
+/** Family of sampling surfaces (guide, page 52). DEFAULT is VIEWPORT_ALIGNED. SPHERICAL: concentric shells round
+    the eye in a perspective view, VIEWPORT_ALIGNED in an orthographic one. */
 class voSamplingModeScope
 {
 public:

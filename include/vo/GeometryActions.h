@@ -40,6 +40,8 @@ public:
         samplingPeriod NULL: maxSamplesNumber surfaces. Else the step along the view direction d, in voxels, is
         1 / sqrt(sum (d_i / period_i)^2), the number of surfaces max(1, ceil(extent / step - 1e-6)), at most
         maxSamplesNumber, and surface k lies at far - (k + 1/2) extent / n (OBJECT; docs/frames.md has the others).
+        SPHERICAL surfaces are made of flat facets within 0.02 steps of the shell: a tetrahedron yields many polygons a
+        surface, more than boundFaceCount() says; face sets grow.
         Too little room in caller-owned storage: OUT_OF_MEMORY, and a shorter but valid result. */
     static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, voInterleavedArrayType format,
                           GLdouble modelMatrix[16], GLdouble projMatrix[16], voSamplingMode samplingMode,
@@ -162,7 +164,8 @@ protected:
 
 /** The polygons of the last frame, for drawUtility (guide, pages 98 and 115). They are made anew when the volume's
     current set, the tetrahedra (compared by content), the sampling period or space, or the matrices change: the view
-    direction by more than the threshold. maxSamplesNumber bounds the surfaces; the other sizes are hints. The
+    direction by more than the threshold, or with SPHERICAL the eye by more than that seen from the middle of the
+    tetrahedra. maxSamplesNumber bounds the surfaces; the other sizes are hints. The
     objects are borrowed. */
 class VO_API voDrawActionCache : public voCache
 {

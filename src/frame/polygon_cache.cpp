@@ -1,5 +1,6 @@
 #include "frame/polygon_cache.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -32,6 +33,26 @@ bool withinDegrees(const Camera& a, const Camera& b, double threshold)
     if (a.perspective != b.perspective) return false;
     const double cosine = std::clamp(glm::dot(a.direction, b.direction), -1.0, 1.0);
     return std::acos(cosine) * 180.0 / std::acos(-1.0) <= threshold;
+}
+
+glm::dvec3 centreOfBox(const TetraView& tetras)
+{
+    glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
+    for (const int vertex : tetras.indices) {
+        const glm::dvec3 p = tetras.position(vertex);
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+    }
+    return 0.5 * (lower + upper);
+}
+
+/// Shells stay round the eye that they were made for: it may move by `threshold` degrees as seen from
+/// `centre`, in any direction.
+bool eyeStays(const Camera& a, const Camera& b, const glm::dvec3& centre, double threshold)
+{
+    if (a.eye == b.eye) return true;
+    const double radians = std::min(threshold, 45.0) * std::acos(-1.0) / 180.0;
+    return glm::distance(a.eye, b.eye) <= std::tan(radians) * glm::distance(a.eye, centre);
 }
 
 } // namespace
@@ -79,7 +100,9 @@ bool PolygonCache::isCurrent(const PolygonRequest& request, double threshold) co
         return false;
     const bool cameraFits = threshold > 0 ? withinDegrees(keyCamera_, request.camera, threshold)
                                           : sameCamera(keyCamera_, request.camera);
-    return cameraFits && sameSampling(keySampling_, request.sampling) &&
+    const bool eyeFits = request.sampling.mode != SamplingMode::spherical || !request.camera.perspective ||
+                         eyeStays(keyCamera_, request.camera, centreOfBox(request.tetras), threshold);
+    return cameraFits && eyeFits && sameSampling(keySampling_, request.sampling) &&
            sameBoxes(keyBoxes_, request.clipBoxes) &&
            std::ranges::equal(keyIndices_, request.tetras.indices) &&
            std::ranges::equal(keyRecords_, request.tetras.records);

@@ -27,7 +27,8 @@ class PolygonCache
 {
 public:
     /// Makes the polygons anew unless the request is the last one again; its camera may have turned by up to
-    /// `threshold` degrees. Returns true when they were made anew.
+    /// `threshold` degrees, and the eye of spherical sampling moved as far as that many degrees seen from the
+    /// middle of the tetrahedra. Returns true when they were made anew.
     bool update(const PolygonRequest& request, double threshold);
     void invalidate() { valid_ = false; }
 

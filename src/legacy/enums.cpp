@@ -129,7 +129,7 @@ SamplingMode samplingMode(int mode)
     case voSamplingModeScope::DEFAULT:
     case voSamplingModeScope::VIEWPORT_ALIGNED: return SamplingMode::viewportAligned;
     case voSamplingModeScope::AXIS_ALIGNED: return SamplingMode::axisAligned;
-    case voSamplingModeScope::SPHERICAL: unsupported("SPHERICAL sampling is not there yet");
+    case voSamplingModeScope::SPHERICAL: return SamplingMode::spherical;
     }
     badEnum(described("voSamplingMode", mode));
 }

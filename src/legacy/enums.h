@@ -23,7 +23,6 @@ Channels channels(voExternalFormatType format);
 /// The packed SGIS formats: CallerError (UNSUPPORTED).
 TexelFormat texelFormat(voInternalFormatType format);
 PartialBricks partialBricks(int type);
-/// SPHERICAL: CallerError (UNSUPPORTED).
 SamplingMode samplingMode(int mode);
 SamplingSpace samplingSpace(int space);
 /// USER_V3F: nothing but the position, the last three of `values` floats.

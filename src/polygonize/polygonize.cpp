@@ -1,6 +1,7 @@
 #include "polygonize/polygonize.h"
 
 #include "polygonize/box_cutter.h"
+#include "polygonize/polygonize_shells.h"
 #include "polygonize/slice_tetra.h"
 
 #include <glm/geometric.hpp>
@@ -122,6 +123,12 @@ PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBo
                             const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink)
 {
     workspace.d->cutter.assign(clipBoxes);
+    if (request.mode == SamplingMode::spherical && camera.perspective) {
+        const ShellFamily shells = samplingShells(tetras, camera, request);
+        const glm::dvec3 along = shells.frame[0] * shells.scale; // as far as one unit of the scaled space
+        const bool complete = polygonizeShells(tetras, shells, request, workspace.d->cutter, sink);
+        return {shells.count, shells.spacing * glm::length(along), complete};
+    }
     const SamplingAxis axis = samplingAxis(tetras, camera, request);
     const PlaneFamily planes = samplingPlanes(tetras, axis, camera, request);
     PolygonizeResult result{planes.count, planes.spacing, true};

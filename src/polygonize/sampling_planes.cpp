@@ -96,45 +96,6 @@ int clampedCount(double wanted, int maxSamples)
     return static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(std::max(1, maxSamples))));
 }
 
-/// Slabs of equal thickness fill the range; a plane in the middle of each.
-PlaneFamily centredPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples)
-{
-    PlaneFamily planes;
-    planes.normal = axis.normal;
-    if (range.empty()) return planes;
-    const double extent = range.farthest - range.nearest;
-    const int count =
-        axis.step ? clampedCount(stepsIn(extent, *axis.step), maxSamples) : std::max(1, maxSamples);
-    const double spacing = extent / count;
-    if (!(spacing > 0.0)) {
-        planes.first = range.farthest;
-        planes.spacing = axis.step.value_or(1.0);
-        planes.count = 1;
-        return planes;
-    }
-    planes.first = range.farthest - 0.5 * spacing;
-    planes.spacing = spacing;
-    planes.count = count;
-    return planes;
-}
-
-/// First plane on the far end, last one on the near end.
-PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples)
-{
-    PlaneFamily planes;
-    planes.normal = axis.normal;
-    if (range.empty()) return planes;
-    const double extent = range.farthest - range.nearest;
-    planes.first = range.farthest;
-    planes.count =
-        axis.step ? clampedCount(stepsIn(extent, *axis.step) + 1.0, maxSamples) : std::max(1, maxSamples);
-    planes.spacing = planes.count > 1 ? extent / (planes.count - 1) : extent;
-    if (planes.spacing > 0.0) return planes;
-    planes.spacing = axis.step.value_or(1.0);
-    planes.count = 1;
-    return planes;
-}
-
 /// Planes at 1/2 + m * step for all integers m inside the range; the step grows to the multiple that fits.
 PlaneFamily anchoredPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples)
 {
@@ -167,6 +128,43 @@ PlaneFamily planesInRange(const SamplingAxis& axis, const DepthRange& range, int
 }
 
 } // namespace
+
+PlaneFamily centredPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples)
+{
+    PlaneFamily planes;
+    planes.normal = axis.normal;
+    if (range.empty()) return planes;
+    const double extent = range.farthest - range.nearest;
+    const int count =
+        axis.step ? clampedCount(stepsIn(extent, *axis.step), maxSamples) : std::max(1, maxSamples);
+    const double spacing = extent / count;
+    if (!(spacing > 0.0)) {
+        planes.first = range.farthest;
+        planes.spacing = axis.step.value_or(1.0);
+        planes.count = 1;
+        return planes;
+    }
+    planes.first = range.farthest - 0.5 * spacing;
+    planes.spacing = spacing;
+    planes.count = count;
+    return planes;
+}
+
+PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples)
+{
+    PlaneFamily planes;
+    planes.normal = axis.normal;
+    if (range.empty()) return planes;
+    const double extent = range.farthest - range.nearest;
+    planes.first = range.farthest;
+    planes.count =
+        axis.step ? clampedCount(stepsIn(extent, *axis.step) + 1.0, maxSamples) : std::max(1, maxSamples);
+    planes.spacing = planes.count > 1 ? extent / (planes.count - 1) : extent;
+    if (planes.spacing > 0.0) return planes;
+    planes.spacing = axis.step.value_or(1.0);
+    planes.count = 1;
+    return planes;
+}
 
 int closestAxis(const Camera& camera)
 {

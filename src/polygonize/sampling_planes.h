@@ -8,7 +8,8 @@
 
 namespace vo {
 
-enum class SamplingMode { viewportAligned, axisAligned };
+/// spherical: shells round the eye in perspective views (sampling_shells.h), viewportAligned in others.
+enum class SamplingMode { viewportAligned, axisAligned, spherical };
 enum class SamplingSpace { viewVolume, object, primitive };
 
 /// What the caller asks of the sampling planes.
@@ -54,6 +55,11 @@ struct SamplingAxis
     std::optional<double> step; ///< wanted spacing; nothing: exactly maxSamples planes
     DepthRange set;             ///< extent of the tetrahedra's vertices
 };
+
+/// Slabs of equal thickness fill the range; a plane in the middle of each.
+PlaneFamily centredPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples);
+/// First plane on the far end, last one on the near end.
+PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, int maxSamples);
 
 /// Axis most parallel to the view: 0, 1 or 2. Ties go to the later axis.
 int closestAxis(const Camera& camera);

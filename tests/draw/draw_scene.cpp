@@ -30,6 +30,16 @@ int brickSize(int size, int count, int overlap)
     return count <= 1 ? size : (size - overlap + count - 1) / count + overlap;
 }
 
+voSamplingMode modeOf(SamplingPlanes planes)
+{
+    switch (planes) {
+    case SamplingPlanes::viewportAligned: return voSamplingModeScope::VIEWPORT_ALIGNED;
+    case SamplingPlanes::axisAligned: return voSamplingModeScope::AXIS_ALIGNED;
+    case SamplingPlanes::spherical: return voSamplingModeScope::SPHERICAL;
+    }
+    throw std::logic_error("no such planes");
+}
+
 template <typename T>
 void fillBrick(voBrick& brick, const Field& field, const std::vector<T>& values)
 {
@@ -117,6 +127,9 @@ void SceneDrawing::makeGeometry()
     tetras_ =
         std::make_unique<voIndexedTetraSet>(vertices_.data(), static_cast<int>(vertices_.size()) / values,
                                             values, indices_.data(), static_cast<int>(indices_.size()));
+    if (options_.utility && scene_.planes == SamplingPlanes::spherical)
+        cache_ = std::make_unique<voDrawActionCache>(tetras_.get(), volume_.get(), 4096,
+                                                     voSamplingModeScope::SPHERICAL, values, 0);
     if (options_.utility) return;
     maxSamples_ = std::min(scene_.maxSamples, static_cast<int>(4 * std::max({x, y, z})));
     sharedVertices_ = std::make_unique<voVertexData>(1000000, values);
@@ -194,7 +207,7 @@ void SceneDrawing::draw(const View& view)
         voGeometryActions::drawUtility(tetras_.get(),
                                        options_.explicitTexCoords ? voInterleavedArrayTypeScope::T3F_V3F
                                                                   : voInterleavedArrayTypeScope::V3F,
-                                       volume_.get(), nullptr, voSamplingSpaceScope::OBJECT,
+                                       volume_.get(), cache_.get(), voSamplingSpaceScope::OBJECT,
                                        scene_.period ? period : nullptr, voDecorationFlagsScope::NONE);
     }
     expectNoError("drawing");
@@ -221,10 +234,8 @@ void SceneDrawing::drawLoops(const View& view)
     for (int axis = 0; scene_.period && axis < 3; ++axis)
         period[axis] = static_cast<float>((*scene_.period)[axis]);
     int samples = 0;
-    const bool axisAligned = stacks || scene_.planes == SamplingPlanes::axisAligned;
-    voGeometryActions::polygonize(tetras_.get(), set, format, v.model.data(), v.projection.data(),
-                                  axisAligned ? voSamplingModeScope::AXIS_ALIGNED
-                                              : voSamplingModeScope::VIEWPORT_ALIGNED,
+    const voSamplingMode mode = stacks ? voSamplingModeScope::AXIS_ALIGNED : modeOf(scene_.planes);
+    voGeometryActions::polygonize(tetras_.get(), set, format, v.model.data(), v.projection.data(), mode,
                                   voSamplingSpaceScope::OBJECT, scene_.period ? period : nullptr, maxSamples_,
                                   samples, faceSetArray_.data());
     expectNoError("polygonize");

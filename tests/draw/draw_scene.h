@@ -62,6 +62,7 @@ private:
     std::vector<std::vector<voIndexedFaceSet*>> faceSetRows_;
     std::vector<voIndexedFaceSet**> faceSetArray_;
     std::unique_ptr<voLookupTable> table_;
+    std::unique_ptr<voDrawActionCache> cache_; ///< where drawUtility cannot be told the surfaces otherwise
     int maxSamples_ = 0;
 };
 

@@ -210,4 +210,120 @@ INSTANTIATE_TEST_SUITE_P(
                     .type = voDataTypeScope::FLOAT}),
     [](const auto& test) { return std::string(test.param.name); });
 
+// SPHERICAL.
+
+struct ShellsGL : testing::Test
+{
+    ShellsGL()
+    {
+        scene.volume = &field;
+        scene.width = scene.height = 100;
+        scene.overlap = 1;
+        scene.planes = SamplingPlanes::spherical;
+        scene.color = {1, 1, 1, 0.1};
+        context = openFor(scene, OffscreenProfile::Compatibility);
+    }
+
+    /// 100 degrees high; the volume's middle straight ahead, at a distance.
+    static View wideView(double turn, double distance)
+    {
+        View view;
+        view.model = multiply(translation(0, 0, -distance),
+                              multiply(rotation(turn + 10, 1, 0.2, 0),
+                                       multiply(rotation(turn, 0, 0.3, 1), translation(-20, -16.5, -18))));
+        view.projection = perspective(100, 1, 0.5, 200);
+        return view;
+    }
+
+    void expectPicture(const DrawOptions& options)
+    {
+        const Comparison comparison =
+            compare(drawnPicture(*context, scene, options), referencePicture(scene));
+        SCOPED_TRACE(comparison.summary());
+        EXPECT_GT(comparison.opaquePixels, 1500u);
+        EXPECT_LT(comparison.maskedPixels, comparison.opaquePixels / 2);
+        EXPECT_GE(comparison.psnrMasked, 60.0);
+        // A facet is up to a fiftieth of a step away from its shell: so many samples are in or out by
+        // mistake.
+        EXPECT_GE(comparison.psnrAll, 45.0);
+        worst = std::min(worst, comparison.psnrMasked);
+        RecordProperty("worst_dB", std::to_string(worst));
+    }
+
+    Field field = testField(true, 255);
+    Scene scene;
+    std::unique_ptr<vo::OffscreenContext> context;
+    double worst = 1e9;
+};
+
+TEST_F(ShellsGL, raysAreSampledAtEqualDistances)
+{
+    DrawOptions options;
+    for (const double distance : {34.0, 25.0, 12.0, 0.0}) { // the last two inside the volume
+        scene.view = wideView(5 * distance, distance);
+        expectPicture(options);
+    }
+}
+
+TEST_F(ShellsGL, bricksMakeTheSamePicture)
+{
+    DrawOptions options;
+    options.bricks = 3;
+    for (const bool texCoords : {false, true}) {
+        options.explicitTexCoords = texCoords;
+        scene.view = wideView(70, texCoords ? 10.0 : 27.0);
+        expectPicture(options);
+    }
+}
+
+TEST_F(ShellsGL, drawUtilityDrawsShells)
+{
+    DrawOptions options;
+    options.utility = true;
+    options.bricks = 2;
+    scene.view = wideView(120, 25);
+    expectPicture(options);
+}
+
+TEST_F(ShellsGL, everyRayHasTheStepOfItsOwnDirection)
+{
+    scene.period = glm::dvec3(1, 0.7, 2);
+    scene.view = wideView(30, 25);
+    expectPicture({});
+}
+
+TEST_F(ShellsGL, volumesAreDrawnToTheirEdge)
+{
+    field = noiseField({40, 33, 36}, 4);
+    scene.view = wideView(40, 30);
+    const Comparison comparison = compare(drawnPicture(*context, scene, {}), referencePicture(scene));
+    SCOPED_TRACE(comparison.summary());
+    EXPECT_GE(comparison.psnrMasked, 60.0);
+    EXPECT_GE(comparison.psnrAll, 35.0);
+}
+
+/// How far a picture is from the integral along each ray, in steps of a sixth, of the same opacity per
+/// length.
+TEST_F(ShellsGL, shellsAreCloserToTheIntegralThanPlanes)
+{
+    constexpr double kFine = 6.0;
+    scene.view = wideView(20, 26);
+    Scene fine = scene;
+    fine.period = glm::dvec3(1.0 / kFine);
+    fine.color = {1, 1, 1, 1};
+    fine.classification = Classification::postInterpolation;
+    for (int i = 0; i < 4096; ++i) {
+        const auto v = static_cast<float>(i / 4095.0);
+        fine.table.insert(fine.table.end(),
+                          {v, v, v, static_cast<float>(1.0 - std::pow(1.0 - 0.1 * i / 4095.0, 1.0 / kFine))});
+    }
+    const Picture integral = referencePicture(fine);
+    const Comparison shells = compare(drawnPicture(*context, scene, {}), integral);
+    scene.planes = SamplingPlanes::viewportAligned;
+    const Comparison planes = compare(drawnPicture(*context, scene, {}), integral);
+    RecordProperty("shells_dB", std::to_string(shells.psnrAll));
+    RecordProperty("planes_dB", std::to_string(planes.psnrAll));
+    EXPECT_GT(shells.psnrAll, planes.psnrAll + 3.0) << shells.summary() << "; planes " << planes.summary();
+}
+
 } // namespace

@@ -5,6 +5,7 @@
 #include <climits>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace {
 
@@ -133,6 +134,44 @@ TEST_F(GeometryActionsGL, cacheFollowsRewrittenTetrahedra)
     screen.gl().Clear(GL_COLOR_BUFFER_BIT);
     EXPECT_EQ(drawUtility(*volume, &cache), 0);
     EXPECT_EQ(screen.middle().first, 0.0f);
+    expectNoError();
+}
+
+/// drawUtility says at level 2 whether polygons were made.
+TEST_F(GeometryActionsGL, shellsAreMadeAnewWhereTheEyeMoves)
+{
+    const auto volume = SquareScreen::constantVolume(255);
+    voDrawActionCache cache(&tetras, volume.get(), 64, voSamplingModeScope::SPHERICAL, 3, 0);
+    std::ostringstream said;
+    const auto isNew = [&](double x, double z, double degrees) {
+        screen.gl().MatrixMode(GL_PROJECTION);
+        screen.gl().LoadIdentity();
+        screen.gl().Frustum(-1, 1, -1, 1, 1, 100);
+        screen.gl().MatrixMode(GL_MODELVIEW);
+        screen.gl().LoadIdentity();
+        screen.gl().Rotated(degrees, 0, 1, 0);
+        screen.gl().Translated(-2 - x, -2, -2 - z); // the eye z before the middle of the cube
+        said.str("");
+        voError::setDebugStream(said);
+        voError::setDebugLevel(2);
+        EXPECT_EQ(drawUtility(*volume, &cache), 0);
+        voError::setDebugLevel(0);
+        voError::setDebugStream(stderr);
+        EXPECT_NE(said.str().find("polygons"), std::string::npos);
+        return said.str().find("new polygons") != std::string::npos;
+    };
+    EXPECT_TRUE(isNew(0, 10, 0));
+    EXPECT_FALSE(isNew(0, 10, 0));
+    EXPECT_TRUE(isNew(0.1, 10, 0));
+    cache.setThreshold(5);                           // tan(5 degrees) * 10 = 0.87
+    EXPECT_FALSE(isNew(0, 10, 0));
+    EXPECT_TRUE(isNew(1, 10, 0));
+    EXPECT_FALSE(isNew(1, 10.8, 0));
+    EXPECT_TRUE(isNew(1, 11.2, 0));
+    EXPECT_FALSE(isNew(1, 11.2, 4));
+    EXPECT_TRUE(isNew(1, 11.2, 6));
+    EXPECT_TRUE(isNew(0, 0.5, 0)); // inside: no way to move
+    EXPECT_TRUE(isNew(0, 0.6, 0));
     expectNoError();
 }
 

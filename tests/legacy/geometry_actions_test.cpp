@@ -327,12 +327,40 @@ TEST_F(PolygonizeTest, emptyTetraSetGivesNoFaces)
     EXPECT_EQ(faces.vertices().getCount(), 0);
 }
 
-TEST_F(PolygonizeTest, sphericalSamplingIsUnsupported)
+TEST_F(PolygonizeTest, sphericalSurfacesAreShellsRoundTheEye)
 {
-    FaceSets faces(1, 4);
-    EXPECT_NE(polygonize(faces, Mode::SPHERICAL), 0);
-    expectUnsupported("SPHERICAL");
-    EXPECT_EQ(samples, 0);
+    // The eye 24 before the middle of the cube, 16 from its front, sqrt(32^2 + 2 * 8^2) from its farthest
+    // corners.
+    model = translation(-8, -8, -8 - 24);
+    projection = frustum(1, 1, 100);
+    const float eye[3] = {8, 8, 32};
+    FaceSets faces(1, 64);
+    EXPECT_EQ(polygonize(faces, Mode::SPHERICAL), 0);
+    const double farthest = std::sqrt(32.0 * 32 + 2 * 8 * 8), step = (farthest - 16) / 18;
+    ASSERT_EQ(samples, 18);
+    for (int k = 0; k < samples; ++k) {
+        const double radius = farthest - (k + 0.5) * step;
+        EXPECT_GT(polygonsOf(faces.at(0, k)).size(), 0u);
+        for (const auto& polygon : polygonsOf(faces.at(0, k)))
+            for (const auto& p : polygon)
+                EXPECT_NEAR(std::hypot(p[0] - eye[0], p[1] - eye[1], p[2] - eye[2]), radius, 0.021 * step);
+    }
+    FaceSets few(1, 5);
+    usePeriod = false;
+    EXPECT_EQ(polygonize(few, Mode::SPHERICAL, Space::VIEW_VOLUME), 0);
+    EXPECT_EQ(samples, 5);
+    expectNoError();
+}
+
+TEST_F(PolygonizeTest, sphericalSurfacesOfAnOrthographicViewAreItsPlanes)
+{
+    model = diagonalView() * translation(-8, -8, -8);
+    FaceSets planes(1, 64), shells(1, 64);
+    EXPECT_EQ(polygonize(planes, Mode::VIEWPORT_ALIGNED), 0);
+    const int count = samples;
+    EXPECT_EQ(polygonize(shells, Mode::SPHERICAL), 0);
+    EXPECT_EQ(samples, count);
+    EXPECT_EQ(shells.contents(), planes.contents());
 }
 
 TEST_F(PolygonizeTest, badArgumentsAreNamedAndNothingIsEmptied)
@@ -998,7 +1026,7 @@ TEST_F(DrawTest, cacheKeepsItsSettingsInBounds)
     voDrawActionCache none(NULL, NULL, -3, Mode::DEFAULT, -1, -1);
     expectBadValue("samples");
     voDrawActionCache spherical(&tetras, volume.get(), 1, Mode::SPHERICAL, 3, 1);
-    expectUnsupported("SPHERICAL");
+    expectNoError();
     voDrawActionCache outside(&tetras, volume.get(), 1, static_cast<voSamplingMode>(-7), 3, 1);
     expectBadEnum();
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <thread>
 
 namespace vo::test {
@@ -101,6 +102,14 @@ public:
     {
         const glm::dvec4 clip = clipCoordinates(p);
         return deviceRay(clip.x / clip.w, clip.y / clip.w);
+    }
+
+    /// Of a perspective view: where all lines of sight meet.
+    glm::dvec3 eye() const
+    {
+        const glm::dvec4 meeting = fromClip_[2];
+        assert(meeting.w != 0.0);
+        return glm::dvec3(meeting) / meeting.w;
     }
 
     /// Normal of the planes of constant eye z, away from the viewer.
@@ -388,9 +397,12 @@ class Renderer
 {
 public:
     explicit Renderer(const Scene& scene)
-        : scene_(scene), screen_(scene), planes_(referencePlanes(scene)), sampler_(scene),
-          region_(solidOf(visibleRegion(scene)))
+        : scene_(scene), screen_(scene), sampler_(scene), region_(solidOf(visibleRegion(scene)))
     {
+        if (scene.planes == SamplingPlanes::spherical)
+            shells_ = referenceShells(scene);
+        else
+            planes_ = referencePlanes(scene);
         const glm::dvec3 extent = volumeExtent(scene);
         slack_ = 1e-9 * std::max({extent.x, extent.y, extent.z});
         for (int axis = 0; scene.planes == SamplingPlanes::axisAligned && axis < 3; ++axis)
@@ -401,6 +413,7 @@ public:
 
     Rgba pixelAt(int x, int y) const
     {
+        if (scene_.planes == SamplingPlanes::spherical) return pixelOnShells(x, y);
         const Ray ray = screen_.rayThrough({x + 0.5, y + 0.5});
         const glm::dvec3 along = ray.end - ray.start;
         const double slope = glm::dot(planes_.normal, along);
@@ -421,12 +434,58 @@ public:
         return pixel.value();
     }
 
+    /// False where a sample of the pixel's ray is about to enter or leave what is drawn.
+    bool isFarFromEdges(int x, int y) const
+    {
+        constexpr double kShellError = 1.0 / 48.0;
+        const glm::dvec2 centre(x + 0.5, y + 0.5);
+        const Ray ray = screen_.rayThrough(centre);
+        for (const double radius : shells_.radii) {
+            const auto drawn = [&](const Ray& line, double r) {
+                const std::optional<glm::dvec3> point = onShell(line, r);
+                return point && isDrawn(*point);
+            };
+            const bool here = drawn(ray, radius);
+            for (const double side : {-1.0, 1.0}) {
+                if (drawn(ray, radius + side * kShellError * shells_.spacing) != here) return false;
+                for (const glm::dvec2& aside : {glm::dvec2(side, 0.0), glm::dvec2(0.0, side)})
+                    if (drawn(screen_.rayThrough(centre + kMaskPixels * aside), radius) != here) return false;
+            }
+        }
+        return true;
+    }
+
     const Screen& screen() const { return screen_; }
     const ReferencePlanes& planes() const { return planes_; }
     const Solid& region() const { return region_; }
     const std::vector<Solid>& parts() const { return parts_; }
 
 private:
+    /// Nothing where the line of sight has ended, or not begun.
+    std::optional<glm::dvec3> onShell(const Ray& ray, double radius) const
+    {
+        const glm::dvec3 direction = directionOf(ray);
+        const glm::dvec3 point = shells_.eye + direction * (radius / glm::length(direction / shells_.scale));
+        const double place = glm::dot(direction, point - ray.start);
+        if (!(place >= 0.0 && place <= glm::length(ray.end - ray.start))) return std::nullopt;
+        return point;
+    }
+
+    Rgba pixelOnShells(int x, int y) const
+    {
+        const Ray ray = screen_.rayThrough({x + 0.5, y + 0.5});
+        Pixel pixel(scene_);
+        for (const double radius : shells_.radii) {
+            const std::optional<glm::dvec3> point = onShell(ray, radius);
+            if (!point || !isDrawn(*point)) continue;
+            Rgba fragment = sampler_(*point);
+            for (std::size_t c = 0; c < 4; ++c)
+                fragment[c] *= scene_.color[c];
+            pixel.add(fragment);
+        }
+        return pixel.value();
+    }
+
     bool isDrawn(const glm::dvec3& point) const
     {
         if (!contains(region_, point, 0.0)) return false;
@@ -438,6 +497,7 @@ private:
     const Scene& scene_;
     Screen screen_;
     ReferencePlanes planes_;
+    ReferenceShells shells_;
     Sampler sampler_;
     Solid region_;
     std::vector<Solid> parts_; ///< of the geometry, when the scene gives one
@@ -537,6 +597,13 @@ private:
 /// Every edge of every slice, those between tetrahedra too.
 std::vector<std::uint8_t> maskOf(const Scene& scene, const Renderer& renderer)
 {
+    if (scene.planes == SamplingPlanes::spherical) {
+        std::vector<std::uint8_t> unmasked;
+        for (int y = 0; y < scene.height; ++y)
+            for (int x = 0; x < scene.width; ++x)
+                unmasked.push_back(renderer.isFarFromEdges(x, y));
+        return unmasked;
+    }
     Mask mask(scene.width, scene.height);
     const glm::dvec3 centre = 0.5 * volumeExtent(scene);
     const double reach = 2.0 * glm::length(centre) + 1.0;
@@ -588,6 +655,22 @@ ReferencePlanes referencePlanes(const Scene& scene)
         return {direction.normal, spreadOffsets(extent, direction.step, scene.maxSamples)};
     assert(scene.planes == SamplingPlanes::axisAligned && scene.period);
     return {direction.normal, stackOffsets(extent, direction.step, direction.normal[scene.stackAxis])};
+}
+
+ReferenceShells referenceShells(const Scene& scene)
+{
+    assert(scene.geometry.empty());
+    ReferenceShells shells;
+    shells.eye = Screen(scene).eye();
+    if (scene.period) shells.scale = *scene.period;
+    const glm::dvec3 extent = volumeExtent(scene);
+    const glm::dvec3 nearest = glm::clamp(shells.eye, glm::dvec3(0.0), extent);
+    Extent range{glm::length((nearest - shells.eye) / shells.scale), 0.0};
+    for (const glm::dvec3& corner : geometryCorners(scene))
+        range.far = std::max(range.far, glm::length((corner - shells.eye) / shells.scale));
+    shells.radii = spreadOffsets(range, scene.period ? 1.0 : 0.0, scene.maxSamples);
+    shells.spacing = (range.far - range.near) / static_cast<double>(shells.radii.size());
+    return shells;
 }
 
 Picture referencePicture(const Scene& scene)

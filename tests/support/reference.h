@@ -13,7 +13,9 @@
 
 namespace vo::test {
 
-enum class SamplingPlanes { viewportAligned, axisAligned };
+/// spherical: concentric shells round the eye of a perspective view, spheres where the period is the same on
+/// all axes; for the whole volume only.
+enum class SamplingPlanes { viewportAligned, axisAligned, spherical };
 enum class Classification { none, preInterpolation, postInterpolation };
 /// over: source alpha over one minus source alpha. max, min: GL_MAX, GL_MIN of what is drawn. sum: GL_ONE,
 /// GL_ONE.
@@ -64,7 +66,8 @@ struct Picture
     int width = 0;
     int height = 0;
     std::vector<double> rgba;
-    /// 1 where pictures can be compared, 0 within 1/200 pixel of the edge of a slice.
+    /// 1 where pictures can be compared, 0 within 1/200 pixel of the edge of a slice; with shells, also where
+    /// the ray enters or leaves the volume within 1/48 step of a sample.
     std::vector<std::uint8_t> unmasked;
 
     const double* pixel(int x, int y) const;
@@ -80,6 +83,18 @@ struct ReferencePlanes
 };
 
 ReferencePlanes referencePlanes(const Scene& scene);
+
+/// The shells of a spherical scene, from the farthest: the points p with length((p - eye) / scale) =
+/// radii[k].
+struct ReferenceShells
+{
+    glm::dvec3 eye{0.0};
+    glm::dvec3 scale{1.0};
+    std::vector<double> radii;
+    double spacing = 0.0;
+};
+
+ReferenceShells referenceShells(const Scene& scene);
 
 /// The scene in double precision: samples, exact trilinear and clamped at the volume's edge, where the ray
 /// through each pixel's centre meets the planes, from the farthest to the nearest.
