@@ -99,6 +99,19 @@ TEST(IflTest, guidesLoadersReadExactVoxelsOfEveryTypeAndChannelCount)
         }
 }
 
+TEST(IflTest, otherFormatsThanTiffAreReadToo)
+{
+    ScratchFolder folder;
+    const VolumeTruth truth({{13, 9, 6}, 1, ChannelType::int16});
+    const std::vector<std::byte> voxels = truth.whole();
+    std::ofstream nrrd(folder / "a.nrrd", std::ios::binary);
+    nrrd << "NRRD0004\ntype: short\ndimension: 3\nsizes: 13 9 6\nencoding: raw\nendian: little\n\n";
+    nrrd.write(reinterpret_cast<const char*>(voxels.data()), static_cast<std::streamsize>(voxels.size()));
+    nrrd.close();
+    expectBricksOfTheGuidesLoader(folder / "a.nrrd", truth, voDataTypeScope::SHORT,
+                                  voExternalFormatTypeScope::LUMINANCE);
+}
+
 TEST(IflTest, guidesLoadersAnswerOneForAFileThatIsNotThere)
 {
     ScratchFolder folder;
