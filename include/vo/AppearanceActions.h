@@ -53,14 +53,17 @@ public:
     static int volumeMakeTransposed(voBrickSetCollection *volume);
 
     /** Prepares the volume for drawing by OR-ed flags of voOptimizeVolumeTypeScope. TEXTURE_OBJECTS makes the current
-        brick set resident; INTERLEAVE and PRE_TRANSPOSE have nothing left to gain. Repeatable. */
+        brick set resident. INTERLEAVE pairs the bricks of each set as textureInterleave does, as far as they fit; it is
+        remembered, and today's OpenGL gains nothing by it. PRE_TRANSPOSE does nothing. Repeatable. */
     static int volumeOptimize(voBrickSetCollection *volume, int flags);
-    /** Releases the texture objects. */
+    /** Releases the texture objects and takes interleaved bricks apart. */
     static int volumeUnoptimize(voBrickSetCollection *volume);
 
-    /** Not there yet: UNSUPPORTED. */
+    /** Declares two textures of equal sizes, formats and data type, of one or two channels, to be interleaved. What is
+        drawn stays the same. Others, one texture twice, or one that is interleaved with a third: BAD_VALUE. */
     static int textureInterleave(voTexture3D *texture1, voTexture3D *texture2);
-    /** Never interleaved: VO_FALSE. */
+    /** VO_TRUE while two different textures are interleaved: by textureInterleave or volumeOptimize, until
+        volumeUnoptimize, one of them is deleted, or their sizes differ. */
     static voBool cliqueTest(voTexture3D *texture1, voTexture3D *texture2);
 
     /** Switch 2D or 3D texturing on and off for what is drawn next. In a compatibility context this is the real
@@ -77,7 +80,9 @@ public:
     static int textureBind(voTexture3D *texture);
     /** Downloads the voxels whether or not they are resident, and makes the texture current. */
     static int textureLoad(voTexture3D *texture);
-    /** Not there yet: UNSUPPORTED, and the identity. 16 floats, column by column. */
+    /** 16 floats, column by column, that take voxel coordinates to the brick's texture coordinates as
+        xfmVox2TexCoords does, for glMultMatrixf on GL_TEXTURE. The brick of a stack has s and t for its two axes in
+        their order, and r = 0. */
     static void textureMakeMatrix(voBrick *brick, float *matrix);
 
     /** Rewrites the T3F of each vertex that the face set uses from voxels to the brick's texture coordinates, once a
@@ -90,6 +95,7 @@ public:
     /** As on voGeometryActions, where the guide prints them too. */
     static int clip(voVertexData *polygon, voInterleavedArrayType format, float lowerLeft[3], float upperRight[3],
                     voIndexedFaceSet *faceSet);
+    static int clip(voVertexData *polygon, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *faceSet);
     static int clip(voVertexData *polygon, voInterleavedArrayType format, float *planes, int planeCount,
                     voIndexedFaceSet *faceSet);
     static int sample(float tetraVerts[4][3], float planeEquation[4], voVertexData *polygonVerts);

@@ -6,7 +6,9 @@
 #include "draw/scoped_state.h"
 #include "sort/brick_order.h"
 
+#include <chrono>
 #include <string>
+#include <utility>
 
 namespace vo {
 
@@ -14,6 +16,36 @@ namespace {
 
 const glm::vec4 kTetraColor(1.0f, 1.0f, 0.0f, 1.0f);
 const glm::vec4 kBrickColor(0.0f, 0.0f, 1.0f, 1.0f);
+
+/// Tells the phases of a frame apart, if somebody wants their times.
+class PhaseClock
+{
+public:
+    PhaseClock(const ContextRecord& context, FrameTimes* times) : context_(context), times_(times)
+    {
+        finish();
+    }
+
+    /// What passed since the phase before ended belongs to this one.
+    void end(double FrameTimes::*phase)
+    {
+        if (!times_) return;
+        const Clock::time_point now = Clock::now();
+        times_->*phase += std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+    }
+
+    /// Waits for OpenGL.
+    void finish() const
+    {
+        if (times_) context_.gl.Finish();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    const ContextRecord& context_;
+    FrameTimes* times_;
+    Clock::time_point last_ = Clock::now();
+};
 
 glm::mat4 voxelToTexture(const FrameBrick& brick)
 {
@@ -75,7 +107,7 @@ FrameResult toFrameResult(TextureResult result)
 }
 
 FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const PolygonCache& cache,
-                       std::span<const int> order, DrawState state)
+                       std::span<const int> order, DrawState state, PhaseClock& clock)
 {
     const glm::mat4 callerTextureMatrix = state.textureMatrix;
     FaceStream stream(context, state, request.layout, cache.records(), cache.indices());
@@ -84,7 +116,11 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
         const std::size_t first = cache.brickStarts()[brick];
         const std::size_t count = cache.brickStarts()[brick + 1] - first;
         if (count == 0) continue;
+        clock.end(&FrameTimes::draw);
+        const std::uint64_t downloads = context.downloads;
         const TextureResult bound = bindTexture(context, request.bricks[brick].image, false);
+        if (downloads != context.downloads) clock.finish();
+        clock.end(&FrameTimes::load);
         if (bound != TextureResult::ok) return toFrameResult(bound);
         pointAtBrick(context, request.bricks[brick], request.layout, callerTextureMatrix, state);
         stream.draw(state, first, count);
@@ -96,19 +132,27 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
 
 FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, PolygonCache& cache)
 {
+    PhaseClock clock(context, request.times);
     const DrawState state = readDrawState(context);
     const std::optional<Camera> camera = findCamera(state.model, state.projection);
     if (!camera) return FrameResult::singularMatrices;
     if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
+    clock.end(&FrameTimes::draw);
 
     const bool anew =
         cache.update({request.tetras, request.clipBoxes, *camera, request.sampling}, request.threshold);
     if (debugLevel() >= 2)
         debug(2, std::string("frame: ") + (anew ? "new" : "kept") + " polygons, " +
                      std::to_string(cache.samples()) + " samples, drawn as slices");
+    clock.end(&FrameTimes::polygonize);
+    const std::vector<int> order = backToFront(request.clipBoxes, *camera);
+    clock.end(&FrameTimes::sort);
 
     const ScopedTextureBindings bindings(context.gl);
-    return drawBricks(context, request, cache, backToFront(request.clipBoxes, *camera), state);
+    const FrameResult result = drawBricks(context, request, cache, order, state, clock);
+    clock.finish();
+    clock.end(&FrameTimes::draw);
+    return result;
 }
 
 void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions)

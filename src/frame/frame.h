@@ -18,6 +18,15 @@ struct FrameBrick
     int thinAxis = -1; ///< of a two-dimensional brick
 };
 
+/// Seconds spent in the phases of frames, added up.
+struct FrameTimes
+{
+    double polygonize = 0.0;
+    double sort = 0.0;
+    double load = 0.0; ///< sending textures
+    double draw = 0.0;
+};
+
 struct FrameRequest
 {
     TetraView tetras;
@@ -28,6 +37,7 @@ struct FrameRequest
     double threshold = 0.0; ///< degrees, see PolygonCache
     bool outlineBricks = false;
     bool outlineTetras = false;
+    FrameTimes* times = nullptr; ///< measured where given; OpenGL is then waited for
 };
 
 enum class FrameResult { ok, singularMatrices, textureTooLarge, outOfMemory, noVoxels };

@@ -34,6 +34,12 @@ void checkSizes(const vo::VoxelSize& size, const char* what)
         badValue(sizes + " are more voxels than memory can have");
 }
 
+/// Textures that are interleaved have one size.
+void letPartnerGo(const vo::VoxelSize& size, voInside::Texture& d)
+{
+    if (size != vo::VoxelSize{d.size[0], d.size[1], d.size[2]}) d.clique.reset();
+}
+
 /// Borrowed voxels are as many as the sizes say, whichever was told first.
 void refreshBorrowed(voTexture3D& texture)
 {
@@ -110,6 +116,7 @@ void voTexture3D::setSizes(int xSize, int ySize, int zSize)
 {
     guarded("voTexture3D::setSizes", [&] {
         checkSizes({xSize, ySize, zSize}, "texture");
+        letPartnerGo({xSize, ySize, zSize}, *d);
         d->size[0] = xSize;
         d->size[1] = ySize;
         d->size[2] = zSize;
@@ -151,6 +158,7 @@ void voBrick::setBrickSizes(float xmin, float ymin, float zmin, float xSize, flo
                          ", size " + std::to_string(size[axis]) + "; a size of 1 or more is needed");
         const vo::VoxelSize voxels{static_cast<int>(xSize), static_cast<int>(ySize), static_cast<int>(zSize)};
         checkSizes(voxels, "brick");
+        letPartnerGo(voxels, *d);
         for (int axis = 0; axis < 3; ++axis) {
             d->origin[axis] = origin[axis];
             d->extent[axis] = size[axis];

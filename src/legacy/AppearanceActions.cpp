@@ -15,6 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <map>
+#include <memory>
+#include <utility>
 
 using vo::badValue;
 using vo::guarded;
@@ -147,6 +151,55 @@ std::vector<vo::BrickVoxels> bricksOf(voBrickSet& set)
         bricks.push_back(b);
     }
     return bricks;
+}
+
+/// Four channels fill a texel of OpenGL alone; two voxels of fewer share one.
+bool fitsInterleaved(const voTexture3D& texture)
+{
+    return vo::channelCount(vo::channels(texture.getExternalFormat())) <= 2;
+}
+
+struct TextureShape
+{
+    int x = 1, y = 1, z = 1;
+    voInternalFormatType internalFormat;
+    voExternalFormatType externalFormat;
+    voDataType dataType;
+    friend auto operator<=>(const TextureShape&, const TextureShape&) = default;
+};
+
+TextureShape shapeOf(const voTexture3D& texture)
+{
+    TextureShape shape{
+        1, 1, 1, texture.getInternalFormat(), texture.getExternalFormat(), texture.getDataType()};
+    texture.getSizes(shape.x, shape.y, shape.z);
+    return shape;
+}
+
+/// True when its partner is still there.
+bool isInterleaved(const voTexture3D& texture)
+{
+    return voInside::of(texture).clique.use_count() > 1;
+}
+
+void interleave(voTexture3D& first, voTexture3D& second)
+{
+    voInside::of(first).clique = voInside::of(second).clique = std::make_shared<char>();
+}
+
+/// Each brick of a set with the next one of its shape that is free; the odd one stays alone.
+void interleaveBricks(voBrickSet& set)
+{
+    std::map<TextureShape, voBrick*> waiting;
+    voBrickSetIterator bricks(&set);
+    for (voBrick* brick; (brick = bricks());) {
+        if (!fitsInterleaved(*brick) || isInterleaved(*brick)) continue;
+        voBrick*& partner = waiting[shapeOf(*brick)];
+        if (partner)
+            interleave(*std::exchange(partner, nullptr), *brick);
+        else
+            partner = brick;
+    }
 }
 
 bool isTwoDimensional(voInterpolationType type)
@@ -368,7 +421,12 @@ int voAppearanceActions::volumeOptimize(voBrickSetCollection* volume, int flags)
         using Flags = voOptimizeVolumeTypeScope;
         constexpr int kAll = int{Flags::BEST_PERFORMANCE} | int{Flags::PRE_TRANSPOSE};
         if (flags & ~kAll) vo::badEnum("voOptimizeVolumeType has no flags " + std::to_string(flags));
-        const bool textures = flags & voOptimizeVolumeTypeScope::TEXTURE_OBJECTS;
+        if (flags & Flags::INTERLEAVE) {
+            voBrickSetCollectionIterator sets(&v);
+            for (voBrickSet* set; (set = sets());)
+                interleaveBricks(*set);
+        }
+        const bool textures = flags & Flags::TEXTURE_OBJECTS;
         if (textures && vo::currentContext()) makeResident(v);
     });
 }
@@ -379,21 +437,37 @@ int voAppearanceActions::volumeUnoptimize(voBrickSetCollection* volume)
         voBrickSetCollectionIterator sets(&required(volume, "volume"));
         for (voBrickSet* set; (set = sets());) {
             voBrickSetIterator bricks(set);
-            for (voBrick* brick; (brick = bricks());)
+            for (voBrick* brick; (brick = bricks());) {
                 vo::forgetTexture(voInside::of(*brick).id);
+                voInside::of(*brick).clique.reset();
+            }
         }
     });
 }
 
-int voAppearanceActions::textureInterleave(voTexture3D*, voTexture3D*)
+int voAppearanceActions::textureInterleave(voTexture3D* texture1, voTexture3D* texture2)
 {
-    return guarded("voAppearanceActions::textureInterleave",
-                   [] { vo::unsupported("interleaving is not there yet"); });
+    return guarded("voAppearanceActions::textureInterleave", [&] {
+        voTexture3D &first = required(texture1, "texture1"), &second = required(texture2, "texture2");
+        if (&first == &second) badValue("texture1 and texture2 are one texture");
+        if (shapeOf(first) != shapeOf(second)) badValue("the textures differ in sizes, formats or data type");
+        if (!fitsInterleaved(first)) badValue("voxels of four channels leave no room for another");
+        if (cliqueTest(texture1, texture2)) return;
+        if (isInterleaved(first) || isInterleaved(second))
+            badValue("a texture is interleaved with another already");
+        interleave(first, second);
+    });
 }
 
-voBool voAppearanceActions::cliqueTest(voTexture3D*, voTexture3D*)
+voBool voAppearanceActions::cliqueTest(voTexture3D* texture1, voTexture3D* texture2)
 {
-    return VO_FALSE;
+    voBool together = VO_FALSE;
+    guarded("voAppearanceActions::cliqueTest", [&] {
+        const voTexture3D &first = required(texture1, "texture1"), &second = required(texture2, "texture2");
+        const std::shared_ptr<char>& clique = voInside::of(first).clique;
+        if (&first != &second && clique && clique == voInside::of(second).clique) together = VO_TRUE;
+    });
+    return together;
 }
 
 void voAppearanceActions::textureEnable(voInterpolationType interpolationType)
@@ -434,12 +508,14 @@ int voAppearanceActions::textureLoad(voTexture3D* texture)
     return guarded("voAppearanceActions::textureLoad", [&] { bind(required(texture, "texture"), true); });
 }
 
-void voAppearanceActions::textureMakeMatrix(voBrick*, float* matrix)
+void voAppearanceActions::textureMakeMatrix(voBrick* brick, float* matrix)
 {
     guarded("voAppearanceActions::textureMakeMatrix", [&] {
-        for (int i = 0; matrix && i < 16; ++i)
-            matrix[i] = i % 5 == 0 ? 1.0f : 0.0f;
-        vo::unsupported("texture matrices are not there yet; xfmVox2TexCoords and texgenSetEquation are");
+        const vo::TexgenPlanes planes = planesOf(required(brick, "brick"));
+        if (!matrix) badValue("matrix is NULL");
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 4; ++row)
+                matrix[4 * column + row] = row < 3 ? planes.rows[row][column] : column < 3 ? 0.0f : 1.0f;
     });
 }
 
@@ -478,6 +554,12 @@ int voAppearanceActions::clip(voVertexData* polygon, voInterleavedArrayType form
                               float upperRight[3], voIndexedFaceSet* faceSet)
 {
     return voGeometryActions::clip(polygon, format, lowerLeft, upperRight, faceSet);
+}
+
+int voAppearanceActions::clip(voVertexData* polygon, float lowerLeft[3], float upperRight[3],
+                              voIndexedFaceSet* faceSet)
+{
+    return voGeometryActions::clip(polygon, lowerLeft, upperRight, faceSet);
 }
 
 int voAppearanceActions::clip(voVertexData* polygon, voInterleavedArrayType format, float* planes,

@@ -1,6 +1,7 @@
 #include "legacy/inside.h"
 
 #include "legacy/enums.h"
+#include "legacy/perf_meter.h"
 #include "legacy/report.h"
 
 #include "draw/draw_faces.h"
@@ -125,6 +126,15 @@ int defaultMaxSamples(const voBrickSet& set)
     return static_cast<int>(std::min<long long>(2LL * std::max({x, y, z}), vo::kMostFrameSamples));
 }
 
+void addTimes(const vo::FrameTimes& times, voutPerfMeter& meter)
+{
+    meter.getTimer(voutPerfMeter::POLYGONIZE).add(times.polygonize);
+    meter.getTimer(voutPerfMeter::SORT).add(times.sort);
+    meter.getTimer(voutPerfMeter::LOAD).add(times.load);
+    meter.getTimer(voutPerfMeter::DRAW).add(times.draw);
+    meter.countFrame();
+}
+
 void throwOnFailure(vo::FrameResult result)
 {
     switch (result) {
@@ -228,6 +238,10 @@ int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArr
         request.threshold = kept ? kept->threshold : 0.0;
         request.outlineBricks = decorations & voDecorationFlagsScope::BRICKS;
         request.outlineTetras = decorations & voDecorationFlagsScope::TETRAS;
+        vo::FrameTimes times;
+        voutPerfMeter* meter = vo::currentMeter();
+        request.times = meter ? &times : nullptr;
         throwOnFailure(vo::drawFrame(context, request, kept ? kept->polygons : ownPolygons));
+        if (meter) addTimes(times, *meter);
     });
 }

@@ -65,6 +65,8 @@ struct voTexture3D::Private
     bool inVolume = false; ///< the two above mean something
     voPlaneOrientation orientation = voPlaneOrientationScope::UNSPECIFIED;
     bool inStack = false; ///< drawn as GL_TEXTURE_2D
+
+    std::shared_ptr<char> clique; ///< shared with the texture that this one is interleaved with
 };
 
 struct voBrickSet::Private

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <climits>
 #include <cmath>
@@ -489,22 +490,255 @@ TEST(TextureActionsTest, badArgumentsAreNamed)
     expectBadValue("texture is NULL");
 }
 
-TEST(TextureActionsTest, interleavingAndMatricesAreNotThereYet)
+// Interleaving is remembered, and no more.
+
+TEST(InterleaveTest, twoAlikeTexturesMakeAClique)
+{
+    for (const voExternalFormatType format :
+         {External::INTENSITY, External::LUMINANCE, External::LUMINANCE_ALPHA}) {
+        const auto one = rowOf(4, format, Data::FLOAT), other = rowOf(4, format, Data::FLOAT),
+                   third = rowOf(4, format, Data::FLOAT);
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), other.get()), VO_FALSE);
+        EXPECT_EQ(voAppearanceActions::textureInterleave(one.get(), other.get()), 0);
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), other.get()), VO_TRUE);
+        EXPECT_EQ(voAppearanceActions::cliqueTest(other.get(), one.get()), VO_TRUE);
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), one.get()), VO_FALSE);
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), third.get()), VO_FALSE);
+        EXPECT_EQ(voAppearanceActions::textureInterleave(other.get(), one.get()), 0) << "twice";
+        expectNoError();
+        EXPECT_NE(voAppearanceActions::textureInterleave(one.get(), third.get()), 0);
+        expectBadValue("already");
+        EXPECT_NE(voAppearanceActions::textureInterleave(third.get(), one.get()), 0);
+        expectBadValue("already");
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), other.get()), VO_TRUE);
+    }
+}
+
+TEST(InterleaveTest, unlikeTexturesAreRefused)
 {
     const auto one = rowOf(4, External::LUMINANCE, Data::FLOAT);
+    const auto longer = rowOf(5, External::LUMINANCE, Data::FLOAT);
+    const auto otherFormat = rowOf(4, External::INTENSITY, Data::FLOAT);
+    const auto otherType = rowOf(4, External::LUMINANCE, Data::UNSIGNED_INT);
+    voTexture3D otherInternal(Internal::LUMINANCE8_EXT, External::LUMINANCE, Data::FLOAT);
+    otherInternal.setSizes(4, 1, 1);
+    for (voTexture3D* other : std::initializer_list<voTexture3D*>{longer.get(), otherFormat.get(),
+                                                                  otherType.get(), &otherInternal}) {
+        EXPECT_NE(voAppearanceActions::textureInterleave(one.get(), other), 0);
+        expectBadValue("differ");
+        EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), other), VO_FALSE);
+    }
+    const auto rgba = rowOf(4, External::RGBA, Data::FLOAT), more = rowOf(4, External::RGBA, Data::FLOAT);
+    EXPECT_NE(voAppearanceActions::textureInterleave(rgba.get(), more.get()), 0);
+    expectBadValue("four channels");
     EXPECT_NE(voAppearanceActions::textureInterleave(one.get(), one.get()), 0);
-    expectUnsupported("not there yet");
-    EXPECT_NE(voAppearanceActions::textureInterleave(NULL, NULL), 0);
-    expectUnsupported("not there yet");
-    EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), one.get()), VO_FALSE);
+    expectBadValue("one texture");
+    EXPECT_NE(voAppearanceActions::textureInterleave(NULL, one.get()), 0);
+    expectBadValue("texture1 is NULL");
+    EXPECT_NE(voAppearanceActions::textureInterleave(one.get(), NULL), 0);
+    expectBadValue("texture2 is NULL");
+    EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), NULL), VO_FALSE);
+    expectBadValue("texture2 is NULL");
+}
+
+TEST(InterleaveTest, cliqueEndsWithOneOfItsTexturesOrSizes)
+{
+    const auto one = rowOf(4, External::LUMINANCE, Data::FLOAT),
+               third = rowOf(4, External::LUMINANCE, Data::FLOAT);
+    auto other = rowOf(4, External::LUMINANCE, Data::FLOAT);
+    EXPECT_EQ(voAppearanceActions::textureInterleave(one.get(), other.get()), 0);
+    other.reset();
+    EXPECT_EQ(voAppearanceActions::textureInterleave(one.get(), third.get()), 0);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), third.get()), VO_TRUE);
+    third->setSizes(4, 1, 1);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), third.get()), VO_TRUE) << "still its size";
+    third->setSizes(4, 2, 1);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(one.get(), third.get()), VO_FALSE);
+    other = rowOf(4, External::LUMINANCE, Data::FLOAT);
+    EXPECT_EQ(voAppearanceActions::textureInterleave(one.get(), other.get()), 0);
     expectNoError();
-    float matrix[16] = {};
-    voAppearanceActions::textureMakeMatrix(one.get(), matrix);
-    expectUnsupported("not there yet");
-    for (int i = 0; i < 16; ++i)
-        EXPECT_EQ(matrix[i], i % 5 == 0 ? 1.0f : 0.0f);
-    voAppearanceActions::textureMakeMatrix(NULL, NULL);
-    expectUnsupported("not there yet");
+
+    voBrick brick(Internal::DEFAULT, External::LUMINANCE, Data::FLOAT);
+    voBrick second(Internal::DEFAULT, External::LUMINANCE, Data::FLOAT);
+    EXPECT_EQ(voAppearanceActions::textureInterleave(&brick, &second), 0);
+    brick.setBrickSizes(7, 7, 7, 1, 1, 1);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(&brick, &second), VO_TRUE) << "bricks may lie anywhere";
+    brick.setBrickSizes(7, 7, 7, 2, 1, 1);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(&brick, &second), VO_FALSE);
+    expectNoError();
+}
+
+int partnersOf(voBrickSet& set, int brick)
+{
+    int partners = 0;
+    for (int i = 0; i < set.getBrickCount(); ++i)
+        partners += voAppearanceActions::cliqueTest(set.getBrick(brick), set.getBrick(i));
+    return partners;
+}
+
+TEST(InterleaveTest, optimizePairsBricksAndUnoptimizeTakesThemApart)
+{
+    using O = voOptimizeVolumeTypeScope;
+    for (const voInterpolationType type : {Interpolation::_3D, Interpolation::_2D}) {
+        // 27 bricks of 5^3 voxels, or three sets of 13 x 9 slices.
+        const auto volume = byteVolume(13, 5, type);
+        EXPECT_EQ(voAppearanceActions::volumeOptimize(volume.get(), O::PRE_TRANSPOSE), 0);
+        EXPECT_EQ(partnersOf(*volume->getBrickSet(0), 0), 0);
+        for (int twice = 0; twice < 2; ++twice) {
+            EXPECT_EQ(voAppearanceActions::volumeOptimize(volume.get(), O::INTERLEAVE), 0);
+            for (int s = 0; s < volume->getBrickSetCount(); ++s) {
+                voBrickSet& set = *volume->getBrickSet(s);
+                int paired = 0;
+                for (int b = 0; b < set.getBrickCount(); ++b) {
+                    EXPECT_LE(partnersOf(set, b), 1);
+                    paired += partnersOf(set, b);
+                }
+                EXPECT_EQ(paired, set.getBrickCount() / 2 * 2);
+            }
+        }
+        EXPECT_EQ(voAppearanceActions::volumeUnoptimize(volume.get()), 0);
+        for (int s = 0; s < volume->getBrickSetCount(); ++s)
+            for (int b = 0; b < volume->getBrickSet(s)->getBrickCount(); ++b)
+                EXPECT_EQ(partnersOf(*volume->getBrickSet(s), b), 0);
+        EXPECT_EQ(voAppearanceActions::volumeOptimize(volume.get(), O::BEST_PERFORMANCE), 0);
+        EXPECT_EQ(partnersOf(*volume->getBrickSet(0), 0), 1);
+    }
+    expectNoError();
+}
+
+TEST(InterleaveTest, optimizePairsBricksOfOneSize)
+{
+    // Bricks of 8 and, at the ends, of 4 and 2 voxels: no two of the latter alike but by symmetry.
+    const auto volume = std::make_unique<voBrickSetCollection>(
+        18, 18, 9, 8, 8, 8, voPartialBrickTypeScope::AUGMENT_TIGHT, 1, Internal::DEFAULT, External::LUMINANCE,
+        Data::UNSIGNED_BYTE, Interpolation::_3D);
+    voBrickSet& set = *volume->getBrickSet(0);
+    EXPECT_EQ(voAppearanceActions::volumeOptimize(volume.get(), voOptimizeVolumeTypeScope::INTERLEAVE), 0);
+    int paired = 0;
+    for (int a = 0; a < set.getBrickCount(); ++a)
+        for (int b = 0; b < set.getBrickCount(); ++b) {
+            if (!voAppearanceActions::cliqueTest(set.getBrick(a), set.getBrick(b))) continue;
+            int size[2][3];
+            set.getBrick(a)->getSizes(size[0][0], size[0][1], size[0][2]);
+            set.getBrick(b)->getSizes(size[1][0], size[1][1], size[1][2]);
+            EXPECT_TRUE(std::equal(size[0], size[0] + 3, size[1]));
+            ++paired;
+        }
+    EXPECT_GT(paired, 0);
+    EXPECT_LT(paired, set.getBrickCount());
+    expectNoError();
+}
+
+TEST(InterleaveTest, optimizeKeepsPairsOfTheApplication)
+{
+    const auto volume = byteVolume(13, 5);
+    voBrickSet& set = *volume->getBrickSet(0);
+    EXPECT_EQ(voAppearanceActions::textureInterleave(set.getBrick(0), set.getBrick(9)), 0);
+    EXPECT_EQ(voAppearanceActions::volumeOptimize(volume.get(), voOptimizeVolumeTypeScope::INTERLEAVE), 0);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(set.getBrick(0), set.getBrick(9)), VO_TRUE);
+    EXPECT_EQ(voAppearanceActions::cliqueTest(set.getBrick(1), set.getBrick(2)), VO_TRUE);
+    expectNoError();
+}
+
+TEST(InterleaveTest, optimizeLeavesColoursAlone)
+{
+    voBrickSetCollection volume(8, 8, 8, 4, 4, 4, voPartialBrickTypeScope::AUGMENT, 0, Internal::DEFAULT,
+                                External::RGBA, Data::UNSIGNED_BYTE, Interpolation::_3D);
+    EXPECT_EQ(voAppearanceActions::volumeOptimize(&volume, voOptimizeVolumeTypeScope::INTERLEAVE), 0);
+    for (int b = 0; b < 8; ++b)
+        EXPECT_EQ(partnersOf(*volume.getBrickSet(0), b), 0);
+    expectNoError();
+}
+
+// The texture matrix.
+
+TEST(TextureMatrixTest, takesVoxelsToTextureCoordinates)
+{
+    voBrick brick(Internal::DEFAULT, External::DEFAULT, Data::DEFAULT);
+    brick.setBrickSizes(10, 20, 30, 4, 5, 8);
+    float m[16];
+    voAppearanceActions::textureMakeMatrix(&brick, m);
+    const float voxel[4] = {11, 25, 26, 1};
+    const float expected[4] = {0.25f, 1.0f, -0.5f, 1.0f};
+    for (int row = 0; row < 4; ++row) {
+        float sum = 0;
+        for (int column = 0; column < 4; ++column)
+            sum += m[4 * column + row] * voxel[column];
+        EXPECT_FLOAT_EQ(sum, expected[row]) << row;
+    }
+    expectNoError();
+}
+
+TEST(TextureMatrixTest, isTheTransformOfXfmVox2TexCoords)
+{
+    for (const voInterpolationType type : {Interpolation::_3D, Interpolation::_2D}) {
+        const auto volume = byteVolume(13, 5, type);
+        for (int s = 0; s < volume->getBrickSetCount(); ++s) {
+            voBrick* brick = volume->getBrickSet(s)->getBrick(volume->getBrickSet(s)->getBrickCount() - 2);
+            voIndexedFaceSet faces(0, 6, 0);
+            float records[] = {7.5f, 8.25f, 9.75f, 0, 0, 0, 1, 2, 3, 1, 0, 0, 4, 5, 6, 0, 1, 0};
+            faces.appendPoly(records, 3);
+            voAppearanceActions::xfmVox2TexCoords(brick, &faces, Format::T3F_V3F,
+                                                  volume->getBrickSet(s)->getOrientation());
+            float m[16];
+            voAppearanceActions::textureMakeMatrix(brick, m);
+            for (int row = 0; row < 3; ++row)
+                EXPECT_FLOAT_EQ(m[row] * 7.5f + m[4 + row] * 8.25f + m[8 + row] * 9.75f + m[12 + row],
+                                (*faces.getVertexData())[0][row])
+                    << "set " << s << ", row " << row;
+        }
+    }
+    expectNoError();
+}
+
+TEST(TextureMatrixTest, badArgumentsAreRefused)
+{
+    voBrick brick(Internal::DEFAULT, External::DEFAULT, Data::DEFAULT);
+    float m[16] = {77};
+    voAppearanceActions::textureMakeMatrix(NULL, m);
+    expectBadValue("brick is NULL");
+    EXPECT_EQ(m[0], 77);
+    voAppearanceActions::textureMakeMatrix(&brick, NULL);
+    expectBadValue("matrix is NULL");
+}
+
+// What the guide prints on this class, too.
+
+TEST(ForwardsTest, clipAndSampleAreThoseOfTheGeometryActions)
+{
+    voVertexData square(4, 3);
+    const float corners[4][3] = {{0, 0, 1}, {4, 0, 1}, {4, 4, 1}, {0, 4, 1}};
+    for (int i = 0; i < 4; ++i)
+        std::copy_n(corners[i], 3, square[i]);
+    square.setCount(4);
+    float lower[3] = {1, 1, 0}, upper[3] = {3, 9, 9};
+    float planes[8] = {1, 0, 0, -1, -1, 0, 0, 3};
+    const auto extent = [](voIndexedFaceSet& faces) {
+        float low[2] = {9, 9}, high[2] = {-9, -9};
+        for (int i = 0; i < faces.getVertexData()->getCount(); ++i)
+            for (int axis = 0; axis < 2; ++axis) {
+                low[axis] = std::min(low[axis], (*faces.getVertexData())[i][axis]);
+                high[axis] = std::max(high[axis], (*faces.getVertexData())[i][axis]);
+            }
+        return std::array{low[0], low[1], high[0], high[1]};
+    };
+    voIndexedFaceSet boxed(0, 3, 0), plainBoxed(0, 3, 0), halved(0, 3, 0);
+    EXPECT_EQ(voAppearanceActions::clip(&square, Format::V3F, lower, upper, &boxed), 0);
+    EXPECT_EQ(extent(boxed), (std::array{1.0f, 1.0f, 3.0f, 4.0f}));
+    EXPECT_EQ(voAppearanceActions::clip(&square, lower, upper, &plainBoxed), 0);
+    EXPECT_EQ(extent(plainBoxed), (std::array{1.0f, 1.0f, 3.0f, 4.0f}));
+    EXPECT_EQ(voAppearanceActions::clip(&square, Format::V3F, planes, 2, &halved), 0);
+    EXPECT_EQ(extent(halved), (std::array{1.0f, 0.0f, 3.0f, 4.0f}));
+
+    float tetra[4][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, plane[4] = {0, 0, 1, -1};
+    voVertexData polygon(4, 3);
+    EXPECT_EQ(voAppearanceActions::sample(tetra, plane, &polygon), 0);
+    ASSERT_EQ(polygon.getCount(), 3);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(polygon[i][2], 1.0f);
+    expectNoError();
+    EXPECT_NE(voAppearanceActions::clip(NULL, lower, upper, &boxed), 0);
+    expectBadValue("polygon is NULL");
 }
 
 // Explicit texture coordinates.
