@@ -24,6 +24,69 @@ private:
     voSortAction &operator=(const voSortAction &);
 };
 
+/** Sampling surfaces of an application (guide, pages 97 and 150): derive from this class and hand an object to
+    voGeometryActions::polygonize. Surface 0 is drawn first, so it is the farthest. */
+class VO_API voSamplingSurfaceSet
+{
+public:
+    virtual ~voSamplingSurfaceSet();
+    virtual int getSurfaceCount() const = 0;
+    /** Appends one surface to facets as planar convex polygons; facets has records of 3 values, positions in the space
+        of the tetrahedra's vertices, and grows. What may lie in the box is needed, more does no harm. Neighbouring
+        facets repeat the same floats where they share a vertex, or the surface has cracks. */
+    virtual void getSurface(int surface, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *facets) = 0;
+
+protected:
+    voSamplingSurfaceSet();
+
+private:
+    voSamplingSurfaceSet(const voSamplingSurfaceSet &);
+    voSamplingSurfaceSet &operator=(const voSamplingSurfaceSet &);
+};
+
+/** Parallel planes (guide, pages 97 and 150). */
+class VO_API voSamplingPlaneSet : public voSamplingSurfaceSet
+{
+public:
+    /** Plane 0 is Ax + By + Cz + D = 0, each further one lies `spacing` (above 0) farther along (A, B, C), which
+        points to the viewer. */
+    voSamplingPlaneSet(float planeEquation[4], float spacing, int count);
+    /** The planes that voGeometryActions::polygonize uses with the same arguments. No planes: SPHERICAL in perspective
+        views, and PRIMITIVE; BAD_VALUE and an empty set. */
+    voSamplingPlaneSet(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, GLdouble modelMatrix[16],
+                       GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
+                       float samplingPeriod[3], int maxSamplesNumber);
+    virtual ~voSamplingPlaneSet();
+
+    virtual int getSurfaceCount() const;
+    /** {A, B, C, D} of a plane, its positive side towards the viewer, (A, B, C) of length 1: what
+        voGeometryActions::sample takes. Returns 0; outside 0 to count - 1 non-zero and BAD_VALUE. */
+    int getPlane(int plane, float planeEquation[4]) const;
+    /** One polygon, counterclockwise for the viewer: the plane inside the box; none when it misses the box. */
+    virtual void getSurface(int surface, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *facets);
+
+private:
+    struct Private;
+    Private *d;
+    friend class voGeometryActions;
+    voSamplingPlaneSet(const voSamplingPlaneSet &);
+    voSamplingPlaneSet &operator=(const voSamplingPlaneSet &);
+};
+
+/** Hands out the equations of a plane set one by one, the farthest first, then NULL. What it returns holds until it is
+    asked again. */
+class VO_API voSamplingPlaneSetIterator
+{
+public:
+    explicit voSamplingPlaneSetIterator(voSamplingPlaneSet *planeSet);
+    float *operator()();
+
+private:
+    voSamplingPlaneSet *set;
+    int next;
+    float equation[4];
+};
+
 /** Operations on geometry (guide, pages 50-58, 118-127, 149-156). All are static. Matrices are OpenGL's, 16 values
     column by column. Those that return int return 0, or non-zero with voError set. */
 class VO_API voGeometryActions
@@ -52,6 +115,13 @@ public:
     static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, GLdouble modelMatrix[16],
                           GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
                           int &samplesNumber, float samplingPeriod[3], voIndexedFaceSet ***polygonSet);
+
+    /** The same with surfaces of the application, or planes that it chose. At most maxSamplesNumber of them, else
+        BAD_VALUE; polygons run round as the surface's facets do. Planes give what polygonize makes of them, bit for
+        bit. */
+    static int polygonize(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, voInterleavedArrayType format,
+                          voSamplingSurfaceSet *surfaces, int maxSamplesNumber, int &samplesNumber,
+                          voIndexedFaceSet ***polygonSet);
 
     /** Cross-sections (guide, pages 118-121): fills polygonSet[brick][0] with what the bricks' clip boxes leave of the
         plane Ax + By + Cz + D = 0, given in voxels and seen counterclockwise from its positive side, or of a planar

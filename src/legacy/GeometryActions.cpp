@@ -58,31 +58,10 @@ voPlaneOrientation stackAcross(int axis)
 
 namespace {
 
-/// Where in a record its voxel coordinates begin; -1 when it has none beside its position. A format that is
-/// not that of the records is passed over: programs of 1998 give any.
-int voxelColumn(int format, int values)
-{
-    const vo::RecordLayout layout = vo::recordLayout(format, values);
-    return layout.texCoord >= 0 && layout.values <= values ? values - layout.values + layout.texCoord : -1;
-}
-
 vo::PolygonizeWorkspace& workspace()
 {
     thread_local vo::PolygonizeWorkspace instance;
     return instance;
-}
-
-void appendCut(const vo::CutPolygon& cut, voIndexedFaceSet& faceSet)
-{
-    if (faceSet.getVertexData()->getValuesPerVertex() != cut.values)
-        badValue("the face set has " + std::to_string(faceSet.getVertexData()->getValuesPerVertex()) +
-                 " values a record, the polygon " + std::to_string(cut.values));
-    if (cut.count < 3) return;
-    std::vector<float> records;
-    for (int i = 0; i < cut.count; ++i)
-        for (int v = 0; v < cut.values; ++v)
-            records.push_back(static_cast<float>(cut.record(i)[v]));
-    faceSet.appendPoly(records.data(), cut.count);
 }
 
 void checkFormat(const voVertexData& polygon, int format)
@@ -105,7 +84,7 @@ int voGeometryActions::polygonize(voIndexedTetraSet* tetraSet, voBrickSet* brick
     samplesNumber = 0;
     return guarded("voGeometryActions::polygonize", [&] {
         vo::TetraView tetras = vo::tetraView(required(tetraSet, "tetraSet"));
-        tetras.voxelColumn = voxelColumn(format, tetras.valuesPerVertex);
+        tetras.voxelColumn = vo::voxelColumn(format, tetras.valuesPerVertex);
         const voBrickSet& set = required(brickSet, "brickSet");
         const vo::SamplingRequest sampling = vo::samplingRequest(samplingMode, samplingSpace, samplingPeriod,
                                                                  maxSamplesNumber, set.getOrientation());
@@ -173,7 +152,7 @@ int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format
         const vo::Box box{glm::make_vec3(lowerLeft), glm::make_vec3(upperRight)};
         vo::CutPolygon scratch, out;
         vo::clipToBox(vo::cutPolygon(*polygon), box, scratch, out);
-        appendCut(out, faces);
+        vo::appendCut(out, faces);
     });
 }
 
@@ -195,7 +174,7 @@ int voGeometryActions::clip(voVertexData* polygon, voInterleavedArrayType format
             vo::clipToHalfSpace(cut, glm::dvec4(glm::make_vec4(planes + 4 * i)), out);
             std::swap(cut, out);
         }
-        appendCut(cut, faces);
+        vo::appendCut(cut, faces);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "legacy/face_sets.h"
 
+#include "legacy/enums.h"
 #include "legacy/report.h"
 
 #include <algorithm>
@@ -48,6 +49,25 @@ CutPolygon cutPolygon(const voVertexData& polygon, int voxelColumn)
         cut.push(record.data());
     }
     return cut;
+}
+
+int voxelColumn(int format, int values)
+{
+    const RecordLayout layout = recordLayout(format, values);
+    return layout.texCoord >= 0 && layout.values <= values ? values - layout.values + layout.texCoord : -1;
+}
+
+void appendCut(const CutPolygon& cut, voIndexedFaceSet& faceSet)
+{
+    if (faceSet.getVertexData()->getValuesPerVertex() != cut.values)
+        badValue("the face set has " + std::to_string(faceSet.getVertexData()->getValuesPerVertex()) +
+                 " values a record, the polygon " + std::to_string(cut.values));
+    if (cut.count < 3) return;
+    std::vector<float> records;
+    for (int i = 0; i < cut.count; ++i)
+        for (int v = 0; v < cut.values; ++v)
+            records.push_back(static_cast<float>(cut.record(i)[v]));
+    faceSet.appendPoly(records.data(), cut.count);
 }
 
 } // namespace vo

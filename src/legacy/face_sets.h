@@ -30,4 +30,11 @@ void resetFaceSets(voIndexedFaceSet*** sets, int bricks, int samples, int values
 /// Throws CallerError when its records have no position.
 CutPolygon cutPolygon(const voVertexData& polygon, int voxelColumn = -1);
 
+/// Appends what was cut, if anything. Throws CallerError when the face set has other records.
+void appendCut(const CutPolygon& cut, voIndexedFaceSet& faceSet);
+
+/// Where in a record its voxel coordinates begin; -1 when it has none beside its position. A format that is
+/// not that of the records is passed over: programs of 1998 give any.
+int voxelColumn(int format, int values);
+
 } // namespace vo

@@ -1,6 +1,7 @@
 #include "polygonize/polygonize.h"
 
 #include "polygonize/box_cutter.h"
+#include "polygonize/polygonize_facets.h"
 #include "polygonize/polygonize_shells.h"
 #include "polygonize/slice_tetra.h"
 
@@ -140,6 +141,24 @@ PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBo
             polygonizer.sliceWithPlanes(tetra, own ? primitivePlanes(tetras, tetra, axis, request) : planes);
     }
     return result;
+}
+
+PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes,
+                            const PlaneFamily& planes, PolygonizeWorkspace& workspace, FaceSink& sink)
+{
+    workspace.d->cutter.assign(clipBoxes);
+    PolygonizeResult result{planes.count, planes.spacing, true};
+    Polygonizer polygonizer(tetras, rangeOfSet(tetras, planes.normal), *workspace.d, sink);
+    for (int tetra = 0; tetra < tetras.tetraCount() && result.complete; ++tetra)
+        result.complete = polygonizer.sliceWithPlanes(tetra, planes);
+    return result;
+}
+
+PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, FacetSource& surfaces,
+                            int count, PolygonizeWorkspace& workspace, FaceSink& sink)
+{
+    workspace.d->cutter.assign(clipBoxes);
+    return {count, 0.0, polygonizeFacets(tetras, surfaces, count, workspace.d->cutter, sink)};
 }
 
 } // namespace vo

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace vo {
 
@@ -21,6 +22,19 @@ public:
 
     struct Private;
     std::unique_ptr<Private> d;
+};
+
+/// Planar convex polygons, 3 or more corners each.
+struct FacetList
+{
+    std::vector<glm::dvec3> corners; ///< of all facets, one after the other
+    std::vector<int> counts;         ///< of corners, a facet
+
+    void clear()
+    {
+        corners.clear();
+        counts.clear();
+    }
 };
 
 struct PolygonizeResult
@@ -38,5 +52,25 @@ struct PolygonizeResult
 /// side, on the set's nearest plane by the one behind.
 PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
                             const SamplingRequest& request, PolygonizeWorkspace& workspace, FaceSink& sink);
+
+/// The same with planes that are given.
+PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes,
+                            const PlaneFamily& planes, PolygonizeWorkspace& workspace, FaceSink& sink);
+
+/// Sampling surfaces of any shape.
+class FacetSource
+{
+public:
+    virtual ~FacetSource() = default;
+
+    /// Fills `facets` with planar convex polygons, that part of a surface which the box may meet at least.
+    /// Neighbours share vertices bit for bit.
+    virtual void facetsOf(int surface, const Box& box, FacetList& facets) = 0;
+};
+
+/// The same with `count` surfaces that are given, numbered from 0; polygons run round as the facets do.
+/// Facets with corners that are not finite, and those without area, are passed over.
+PolygonizeResult polygonize(const TetraView& tetras, std::span<const Box> clipBoxes, FacetSource& surfaces,
+                            int count, PolygonizeWorkspace& workspace, FaceSink& sink);
 
 } // namespace vo

@@ -36,17 +36,6 @@ DepthRange rangeOfTetra(const TetraView& tetras, int tetra, const glm::dvec3& no
     return range;
 }
 
-DepthRange rangeOfSet(const TetraView& tetras, const glm::dvec3& normal)
-{
-    DepthRange range{kInfinity, -kInfinity};
-    for (int tetra = 0; tetra < tetras.tetraCount(); ++tetra) {
-        const DepthRange own = rangeOfTetra(tetras, tetra, normal);
-        range.nearest = std::min(range.nearest, own.nearest);
-        range.farthest = std::max(range.farthest, own.farthest);
-    }
-    return range;
-}
-
 /// Depth of the view volume; empty when it has no end.
 DepthRange rangeOfView(const Camera& camera, const SamplingAxis& axis)
 {
@@ -164,6 +153,17 @@ PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, in
     planes.spacing = axis.step.value_or(1.0);
     planes.count = 1;
     return planes;
+}
+
+DepthRange rangeOfSet(const TetraView& tetras, const glm::dvec3& normal)
+{
+    DepthRange range{kInfinity, -kInfinity};
+    for (int tetra = 0; tetra < tetras.tetraCount(); ++tetra) {
+        const DepthRange own = rangeOfTetra(tetras, tetra, normal);
+        range.nearest = std::min(range.nearest, own.nearest);
+        range.farthest = std::max(range.farthest, own.farthest);
+    }
+    return range;
 }
 
 int closestAxis(const Camera& camera)

@@ -64,6 +64,9 @@ PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, in
 /// Axis most parallel to the view: 0, 1 or 2. Ties go to the later axis.
 int closestAxis(const Camera& camera);
 
+/// Extent of the vertices along a normal.
+DepthRange rangeOfSet(const TetraView& tetras, const glm::dvec3& normal);
+
 SamplingAxis samplingAxis(const TetraView& tetras, const Camera& camera, const SamplingRequest& request);
 
 /// The planes for a set of tetrahedra (docs/frames.md). For SamplingSpace::primitive these are the planes of

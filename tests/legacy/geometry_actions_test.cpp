@@ -484,6 +484,253 @@ TEST_F(PolygonizeTest, tetrahedraMayShareTheFaceSetsVertices)
     EXPECT_LE(vertices.getCount(), 1000);
 }
 
+// voSamplingSurfaceSet and voSamplingPlaneSet.
+
+struct SurfacesTest : PolygonizeBricksTest
+{
+    int polygonize(FaceSets& faces, voSamplingSurfaceSet& surfaces,
+                   voInterleavedArrayType format = Format::V3F)
+    {
+        return voGeometryActions::polygonize(&tetras, volume->getCurrentBrickSet(), format, &surfaces,
+                                             faces.samples(), samples, faces);
+    }
+
+    static double areaOfSample(FaceSets& faces, int sample)
+    {
+        double sum = 0;
+        for (int b = 0; b < faces.bricks(); ++b)
+            sum += areaOf(faces.at(b, sample));
+        return sum;
+    }
+};
+
+TEST_F(SurfacesTest, planeSetHoldsThePlanesThatPolygonizeUses)
+{
+    for (const bool perspective : {false, true})
+        for (const auto& [mode, space] :
+             {std::pair(Mode::VIEWPORT_ALIGNED, Space::OBJECT), std::pair(Mode::AXIS_ALIGNED, Space::OBJECT),
+              std::pair(Mode::DEFAULT, Space::VIEW_VOLUME)}) {
+            model = translation(0, 0, perspective ? -40 : 0) * diagonalView() * translation(-8, -8, -8);
+            projection = perspective ? frustum(1, 1, 100) : ortho(16, -32, 32);
+            FaceSets wanted(8, 128), faces(8, 128);
+            EXPECT_EQ(PolygonizeTest::polygonize(wanted, mode, space), 0);
+            const int count = samples;
+            voSamplingPlaneSet planes(&tetras, volume->getCurrentBrickSet(), model, projection, mode, space,
+                                      period, 128);
+            EXPECT_EQ(planes.getSurfaceCount(), count);
+            EXPECT_EQ(polygonize(faces, planes), 0);
+            EXPECT_EQ(samples, count);
+            EXPECT_GT(count, 15);
+            EXPECT_EQ(faces.contents(), wanted.contents());
+        }
+    expectNoError();
+}
+
+TEST_F(SurfacesTest, planesCanBeSampledAndClippedOneByOne)
+{
+    model = diagonalView() * translation(-8, -8, -8);
+    FaceSets wanted(8, 64);
+    EXPECT_EQ(PolygonizeTest::polygonize(wanted), 0);
+    voSamplingPlaneSet planes(&tetras, volume->getCurrentBrickSet(), model, projection, Mode::DEFAULT,
+                              Space::DEFAULT, period, 64);
+    voSamplingPlaneSetIterator next(&planes);
+    int sample = 0;
+    for (float* plane; (plane = next()); ++sample) {
+        voIndexedFaceSet cut(0, 3, 0);
+        for (int t = 0; t < 20; t += 4) {
+            float corners[4][3];
+            for (int i = 0; i < 4; ++i)
+                std::copy_n(cube.vertices[cube.indices[t + i]], 3, corners[i]);
+            voVertexData polygon(4, 3);
+            EXPECT_EQ(voGeometryActions::sample(corners, plane, &polygon), 0);
+            voBrickSetIterator bricks(volume->getCurrentBrickSet());
+            for (voBrick* brick; polygon.getCount() && (brick = bricks());) {
+                float lower[3], upper[3];
+                brick->getClipBrickSizes(lower, upper);
+                EXPECT_EQ(voGeometryActions::clip(&polygon, lower, upper, &cut), 0);
+            }
+        }
+        EXPECT_NEAR(areaOf(cut), areaOfSample(wanted, sample), 1e-3);
+        // Towards the viewer, who is at (1, 1, 1) times a lot.
+        EXPECT_NEAR(plane[0] + plane[1] + plane[2], std::sqrt(3.0), 1e-5);
+    }
+    EXPECT_EQ(sample, samples);
+    EXPECT_EQ(next(), static_cast<float*>(NULL));
+    expectNoError();
+}
+
+TEST_F(SurfacesTest, planesGoOnTowardsTheViewer)
+{
+    float first[4] = {0, 0, 2, -5};
+    voSamplingPlaneSet planes(first, 4, 3);
+    ASSERT_EQ(planes.getSurfaceCount(), 3);
+    FaceSets faces(8, 3);
+    EXPECT_EQ(polygonize(faces, planes), 0);
+    EXPECT_EQ(samples, 3);
+    for (int k = 0; k < 3; ++k) {
+        float plane[4];
+        EXPECT_EQ(planes.getPlane(k, plane), 0);
+        EXPECT_EQ(plane[2], 1.0f);
+        EXPECT_NEAR(plane[3], -(2.5 + 4 * k), 1e-6);
+        EXPECT_NEAR(areaOfSample(faces, k), 256, 1e-3);
+        for (const auto& polygon : polygonsOf(faces.at(k == 0 ? 0 : 4, k)))
+            for (const auto& p : polygon)
+                EXPECT_EQ(p[2], float(2.5 + 4 * k));
+    }
+    voIndexedFaceSet facets(0, 3, 0);
+    float lower[3] = {0, 0, 0}, upper[3] = {2, 3, 4};
+    planes.getSurface(0, lower, upper, &facets);
+    EXPECT_NEAR(areaOf(facets), 6, 1e-5);
+    planes.getSurface(1, lower, upper, &facets);
+    EXPECT_NEAR(areaOf(facets), 6, 1e-5);
+    expectNoError();
+}
+
+/// Roofs over the cube, the ridge along y at x = 8, `slope` down to both sides, of two facets; then a plane
+/// as it is.
+struct Roofs : voSamplingSurfaceSet
+{
+    virtual int getSurfaceCount() const { return count; }
+    virtual void getSurface(int surface, float lower[3], float upper[3], voIndexedFaceSet* facets)
+    {
+        asked.push_back(surface);
+        box = {lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]};
+        const float ridge = float(4 + 3 * surface), eaves = ridge - 10 * slope;
+        float left[] = {-2, -1, eaves, 8, -1, ridge, 8, 17, ridge, -2, 17, eaves};
+        float right[] = {8, -1, ridge, 18, -1, eaves, 18, 17, eaves, 8, 17, ridge};
+        facets->appendPoly(left, 4);
+        facets->appendPoly(right, 4);
+        if (!broken) return;
+        float none[] = {0, 0, 0, kNaN, 0, 0, 1, 1, 1}, flat[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
+        facets->appendPoly(none, 3);
+        facets->appendPoly(flat, 3);
+    }
+    int count = 3;
+    float slope = 0.25f;
+    bool broken = false;
+    std::vector<int> asked;
+    std::array<float, 6> box{};
+};
+
+TEST_F(SurfacesTest, ownSurfacesAreCutToTetrahedraAndBricks)
+{
+    Roofs roofs;
+    for (const bool broken : {false, true}) {
+        roofs.broken = broken;
+        roofs.asked.clear();
+        FaceSets faces(8, 4);
+        EXPECT_EQ(polygonize(faces, roofs), 0);
+        EXPECT_EQ(samples, 3);
+        EXPECT_EQ(roofs.asked, (std::vector<int>{0, 1, 2}));
+        EXPECT_EQ(roofs.box, (std::array<float, 6>{0, 0, 0, 16, 16, 16}));
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(areaOfSample(faces, k), 256 * std::hypot(1.0, 0.25), 1e-3);
+            for (int b = 0; b < 8; ++b)
+                for (const auto& polygon : polygonsOf(faces.at(b, k)))
+                    for (const auto& p : polygon)
+                        EXPECT_NEAR(p[2], 4 + 3 * k - 0.25 * std::abs(p[0] - 8), 1e-5);
+        }
+        EXPECT_EQ(areaOfSample(faces, 3), 0.0);
+    }
+    expectNoError();
+}
+
+TEST_F(SurfacesTest, flatSurfacesInSharedFacesAreYieldedOnce)
+{
+    // The facets lie in z = 8, a seam of the bricks; then in faces that tetrahedra share.
+    Roofs flat;
+    flat.slope = 0;
+    flat.count = 4;
+    FaceSets faces(8, 4);
+    EXPECT_EQ(polygonize(faces, flat), 0);
+    for (int k = 0; k < 4; ++k)
+        EXPECT_NEAR(areaOfSample(faces, k), 256, 1e-3);
+    struct Diagonal : Roofs
+    {
+        virtual void getSurface(int, float*, float*, voIndexedFaceSet* facets)
+        {
+            // The plane through corners 0, 2, 5 of the cube, which two of its tetrahedra share as a face.
+            float plane[] = {0, 0, 0, 16, 16, 0, 16, 0, 16};
+            facets->appendPoly(plane, 3);
+        }
+    } diagonal;
+    diagonal.count = 1;
+    EXPECT_EQ(polygonize(faces, diagonal), 0);
+    EXPECT_NEAR(areaOfSample(faces, 0), 256 * std::sqrt(3.0) / 2, 1e-3);
+    expectNoError();
+}
+
+TEST_F(SurfacesTest, valuesOfRecordsAreInterpolatedOnOwnSurfaces)
+{
+    std::vector<float> records;
+    for (const auto& p : cube.vertices)
+        records.insert(records.end(), {2 * p[0] - p[1] + 3 * p[2], p[0], p[1], p[2]});
+    voIndexedTetraSet set(records.data(), 8, 4, cube.indices, 20);
+    FaceSets faces(8, 3, 4);
+    Roofs roofs;
+    EXPECT_EQ(voGeometryActions::polygonize(&set, volume->getCurrentBrickSet(), Format::USER_V3F, &roofs, 3,
+                                            samples, faces),
+              0);
+    EXPECT_GT(faces.vertices().getCount(), 100);
+    for (int i = 0; i < faces.vertices().getCount(); ++i) {
+        const float* r = faces.vertices()[i];
+        EXPECT_NEAR(r[0], 2 * r[1] - r[2] + 3 * r[3], 1e-4f);
+    }
+}
+
+TEST_F(SurfacesTest, badSurfacesAreNamed)
+{
+    FaceSets faces(8, 2);
+    Roofs roofs;
+    EXPECT_NE(polygonize(faces, roofs), 0);
+    expectBadValue("3 surfaces, there is room for 2");
+    EXPECT_EQ(samples, 0);
+    roofs.count = -1;
+    EXPECT_NE(polygonize(faces, roofs), 0);
+    expectBadValue("-1 surfaces");
+    voBrickSet* set = volume->getCurrentBrickSet();
+    EXPECT_NE(voGeometryActions::polygonize(&tetras, set, Format::V3F, NULL, 2, samples, faces), 0);
+    expectBadValue("surfaces is NULL");
+    roofs.count = 2;
+    EXPECT_NE(voGeometryActions::polygonize(NULL, set, Format::V3F, &roofs, 2, samples, faces), 0);
+    expectBadValue("tetraSet is NULL");
+    EXPECT_NE(voGeometryActions::polygonize(&tetras, set, Format::V3F, &roofs, 2, samples, NULL), 0);
+    expectBadValue("polygonSet is NULL");
+    FaceSets small(8, 2, 3, 9);
+    EXPECT_NE(polygonize(small, roofs), 0);
+    expectError(voErrorTypeScope::OUT_OF_MEMORY, "full");
+
+    float plane[4] = {0, 0, 0, 1}, good[4] = {1, 0, 0, 0};
+    EXPECT_EQ(voSamplingPlaneSet(plane, 1, 2).getSurfaceCount(), 0);
+    expectBadValue("planeEquation");
+    EXPECT_EQ(voSamplingPlaneSet(NULL, 1, 2).getSurfaceCount(), 0);
+    expectBadValue("planeEquation is NULL");
+    for (const float spacing : {0.0f, -1.0f, kNaN, HUGE_VALF}) {
+        EXPECT_EQ(voSamplingPlaneSet(good, spacing, 2).getSurfaceCount(), 0);
+        expectBadValue("spacing");
+    }
+    EXPECT_EQ(voSamplingPlaneSet(good, 1, -2).getSurfaceCount(), 0);
+    expectBadValue("-2 planes");
+    const voSamplingPlaneSet planes(good, 1, 2);
+    for (const int outside : {-1, 2, INT_MAX}) {
+        EXPECT_NE(planes.getPlane(outside, plane), 0);
+        expectBadValue("outside 0 to 1");
+    }
+    EXPECT_NE(planes.getPlane(0, NULL), 0);
+    expectBadValue("NULL");
+    projection = frustum(1, 1, 100);
+    EXPECT_EQ(voSamplingPlaneSet(&tetras, set, model, projection, Mode::SPHERICAL, Space::OBJECT, period, 9)
+                  .getSurfaceCount(),
+              0);
+    expectBadValue("SPHERICAL");
+    EXPECT_EQ(voSamplingPlaneSet(&tetras, set, model, projection, Mode::DEFAULT, Space::PRIMITIVE, period, 9)
+                  .getSurfaceCount(),
+              0);
+    expectBadValue("PRIMITIVE");
+    EXPECT_FALSE(std::is_copy_constructible_v<voSamplingPlaneSet>);
+    EXPECT_TRUE(std::is_abstract_v<voSamplingSurfaceSet>);
+}
+
 // polygonizeMPR.
 
 struct ReformatTest : testing::Test
