@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "deflate_stream.h"
+#include "input_file.h"
+#include "printable_text.h"
 #include "text_voxels.h"
 
 namespace vo {
@@ -127,7 +129,7 @@ Result<std::vector<std::string>> namedFiles(const std::string& path, const std::
                       (step > 0 ? last >= first : last <= first);
     if (!ends || (last - first) / step >= kMostFiles)
         return Failure{path + ": expected a range of 1 to " + std::to_string(kMostFiles) +
-                       " data files, found \"" + value + "\""};
+                       " data files, found \"" + printable(value) + "\""};
     std::vector<std::string> files;
     for (std::int64_t number = first; step > 0 ? number <= last : number >= last; number += step)
         files.push_back(*numbered(pattern, number));

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <gdcmAttribute.h>
 #include <gdcmImageReader.h>
+#include <gdcmMediaStorage.h>
 #include <gdcmReader.h>
 #include <gdcmTrace.h>
 
 #include "byte_order.h"
-#include "input_file.h"
+#include "isolated_process.h"
+#include "printable_text.h"
 
 namespace vo {
 namespace {
@@ -85,9 +88,7 @@ auto guarded(const std::string& path, Read read) -> decltype(read())
     } catch (const std::bad_alloc&) {
         return Failure{path + ": expected enough memory for its elements, found less"};
     } catch (const std::exception& exception) {
-        std::string why = exception.what();
-        why = why.substr(0, why.find('\n'));
-        return Failure{path + ": expected a DICOM file, found a damaged one: " + why};
+        return Failure{path + ": expected a DICOM file, found a damaged one: " + printable(exception.what())};
     }
 }
 
@@ -148,7 +149,7 @@ Result<void> readShape(const gdcm::File& file, DicomSlice& slice)
         slice.channels == 3 && (colours == "RGB" || (slice.isCompressed && colours.starts_with("YBR_")));
     if (!isGrey && !isColour)
         return Failure{slice.path + ": expected grey or RGB pixels, found " + std::to_string(slice.channels) +
-                       " channels of \"" + colours + "\""};
+                       " channels of \"" + printable(colours) + "\""};
     const bool isKnown = slice.bitsAllocated == 8 || slice.bitsAllocated == 16 || slice.bitsAllocated == 32;
     if (!isKnown || slice.bitsStored < 1 || slice.bitsStored > slice.bitsAllocated ||
         slice.highBit >= slice.bitsAllocated || slice.highBit < slice.bitsStored - 1)
@@ -158,7 +159,7 @@ Result<void> readShape(const gdcm::File& file, DicomSlice& slice)
     return {};
 }
 
-Result<std::optional<DicomSlice>> headerOf(const std::string& path)
+DicomHeader headerOf(const std::string& path)
 {
     gdcm::Reader reader;
     reader.SetFileName(path.c_str());
@@ -177,7 +178,12 @@ Result<std::optional<DicomSlice>> headerOf(const std::string& path)
     slice.slope = slope != 0 ? slope : 1;
     slice.intercept = decimal(set, gdcm::Tag(0x0028, 0x1052), 0);
     readPlace(set, slice);
-    if (slice.frames > 1 && !slice.directions) readPlaceOfFrames(path, slice);
+    gdcm::MediaStorage kind;
+    kind.SetFromFile(reader.GetFile());
+    if (kind == gdcm::MediaStorage::EnhancedMRImageStorage ||
+        kind == gdcm::MediaStorage::EnhancedCTImageStorage ||
+        kind == gdcm::MediaStorage::EnhancedPETImageStorage)
+        readPlaceOfFrames(path, slice);
     return std::optional(slice);
 }
 
@@ -272,6 +278,168 @@ Result<void> readCompressedPixels(const DicomSlice& slice, std::span<std::byte> 
     return {};
 }
 
+// GDCM, as distributions build it, aborts where a file is not as it asserts. So it works in a process of its
+// own, which sends values of the types below.
+
+void send(const IsolatedProcess::Send& out, const std::string& text)
+{
+    const std::uint64_t length = text.size();
+    out(std::as_bytes(std::span(&length, 1)));
+    out(std::as_bytes(std::span(text)));
+}
+
+bool receive(IsolatedProcess& from, std::string& text)
+{
+    std::uint64_t length = 0;
+    if (!from.receive(std::as_writable_bytes(std::span(&length, 1))) || length > 1 << 20) return false;
+    text.resize(length);
+    return from.receive(std::as_writable_bytes(std::span(text)));
+}
+
+enum class Answer : char { picture, nothing, failure };
+
+/// The members of a slice but for its texts, which can be sent as they lie in memory.
+struct SliceNumbers
+{
+    std::int64_t columns, rows, frames, instance;
+    int channels, bitsAllocated, bitsStored, highBit;
+    bool isSigned, lowIsWhite, isCompressed, hasDirections, hasPosition;
+    std::array<Vector3, 2> directions;
+    Vector3 position;
+    std::array<double, 2> spacing;
+    double sliceSpacing, slope, intercept;
+};
+
+void send(const IsolatedProcess::Send& out, const DicomSlice& slice)
+{
+    SliceNumbers numbers;
+    std::memset(static_cast<void*>(&numbers), 0, sizeof numbers); // padding is sent, too
+    numbers.columns = slice.columns;
+    numbers.rows = slice.rows;
+    numbers.frames = slice.frames;
+    numbers.instance = slice.instance;
+    numbers.channels = slice.channels;
+    numbers.bitsAllocated = slice.bitsAllocated;
+    numbers.bitsStored = slice.bitsStored;
+    numbers.highBit = slice.highBit;
+    numbers.isSigned = slice.isSigned;
+    numbers.lowIsWhite = slice.lowIsWhite;
+    numbers.isCompressed = slice.isCompressed;
+    numbers.hasDirections = slice.directions.has_value();
+    numbers.hasPosition = slice.position.has_value();
+    numbers.directions = slice.directions.value_or(std::array<Vector3, 2>{});
+    numbers.position = slice.position.value_or(Vector3{});
+    numbers.spacing = slice.spacing;
+    numbers.sliceSpacing = slice.sliceSpacing;
+    numbers.slope = slice.slope;
+    numbers.intercept = slice.intercept;
+    out(std::as_bytes(std::span(&numbers, 1)));
+    send(out, slice.series);
+    send(out, slice.seriesDescription);
+}
+
+bool receive(IsolatedProcess& from, DicomSlice& slice)
+{
+    SliceNumbers numbers;
+    if (!from.receive(std::as_writable_bytes(std::span(&numbers, 1)))) return false;
+    slice.columns = numbers.columns;
+    slice.rows = numbers.rows;
+    slice.frames = numbers.frames;
+    slice.instance = numbers.instance;
+    slice.channels = numbers.channels;
+    slice.bitsAllocated = numbers.bitsAllocated;
+    slice.bitsStored = numbers.bitsStored;
+    slice.highBit = numbers.highBit;
+    slice.isSigned = numbers.isSigned;
+    slice.lowIsWhite = numbers.lowIsWhite;
+    slice.isCompressed = numbers.isCompressed;
+    if (numbers.hasDirections) slice.directions = numbers.directions;
+    if (numbers.hasPosition) slice.position = numbers.position;
+    slice.spacing = numbers.spacing;
+    slice.sliceSpacing = numbers.sliceSpacing;
+    slice.slope = numbers.slope;
+    slice.intercept = numbers.intercept;
+    return receive(from, slice.series) && receive(from, slice.seriesDescription);
+}
+
+void send(const IsolatedProcess::Send& out, Answer answer)
+{
+    out(std::as_bytes(std::span(&answer, 1)));
+}
+
+bool receive(IsolatedProcess& from, Answer& answer)
+{
+    return from.receive(std::as_writable_bytes(std::span(&answer, 1)));
+}
+
+void sendHeader(const IsolatedProcess::Send& out, const std::string& path)
+{
+    const DicomHeader header = guarded(path, [&] { return headerOf(path); });
+    send(out, !header ? Answer::failure : *header ? Answer::picture : Answer::nothing);
+    if (!header) {
+        send(out, header.failure().text);
+    } else if (*header) {
+        send(out, **header);
+    }
+}
+
+/// None where the process ended instead.
+std::optional<DicomHeader> receiveHeader(IsolatedProcess& from, const std::string& path)
+{
+    Answer answer{};
+    if (!receive(from, answer)) return std::nullopt;
+    if (answer == Answer::nothing) return DicomHeader(std::optional<DicomSlice>());
+    if (answer == Answer::failure) {
+        Failure failure;
+        if (!receive(from, failure.text)) return std::nullopt;
+        return DicomHeader(failure);
+    }
+    DicomSlice slice;
+    slice.path = path;
+    if (!receive(from, slice)) return std::nullopt;
+    return DicomHeader(std::optional(slice));
+}
+
+/// Memory that reading one of these files may take: some copies of what it holds, and GDCM's own.
+std::int64_t memoryFor(std::uintmax_t fileBytes, std::size_t pixelBytes)
+{
+    constexpr std::int64_t kLibrary = std::int64_t{512} << 20, kMost = std::int64_t{1} << 40;
+    const auto file = static_cast<std::int64_t>(std::min<std::uintmax_t>(fileBytes, kMost));
+    return kLibrary + 4 * file + 4 * static_cast<std::int64_t>(std::min<std::size_t>(pixelBytes, kMost));
+}
+
+std::uintmax_t bytesIn(const std::string& path)
+{
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    return error ? 0 : bytes;
+}
+
+Failure gaveUp(const std::string& path)
+{
+    return {path + ": expected a DICOM file, found a damaged one on which GDCM gives up"};
+}
+
+Result<void> pixelsOf(const DicomSlice& slice, std::span<std::byte> out)
+{
+    return guarded(slice.path, [&]() -> Result<void> {
+        auto read = slice.isCompressed ? readCompressedPixels(slice, out) : readPlainPixels(slice, out);
+        if (read) keepStoredBits(slice, out);
+        return read;
+    });
+}
+
+void sendPixels(const IsolatedProcess::Send& out, const DicomSlice& slice, std::span<std::byte> pixels)
+{
+    const auto read = pixelsOf(slice, pixels);
+    send(out, read ? Answer::picture : Answer::failure);
+    if (read) {
+        out(pixels);
+    } else {
+        send(out, read.failure().text);
+    }
+}
+
 } // namespace
 
 StoredLayout DicomSlice::layout() const
@@ -285,18 +453,54 @@ StoredLayout DicomSlice::layout() const
     return layout;
 }
 
-Result<std::optional<DicomSlice>> readDicomHeader(const std::string& path)
+std::vector<DicomHeader> readDicomHeaders(const std::vector<std::string>& paths)
 {
-    return guarded(path, [&] { return headerOf(path); });
+    std::vector<DicomHeader> headers;
+    std::uintmax_t largest = 0;
+    for (const std::string& path : paths)
+        largest = std::max(largest, bytesIn(path));
+    while (headers.size() < paths.size()) {
+        auto process = IsolatedProcess::start(memoryFor(largest, 0), [&](const IsolatedProcess::Send& out) {
+            for (std::size_t i = headers.size(); i < paths.size(); ++i)
+                sendHeader(out, paths[i]);
+        });
+        // Where the process ends early, the file that it was reading is the reason; a new one takes the rest.
+        for (bool works = true; works && headers.size() < paths.size();) {
+            const std::string& path = paths[headers.size()];
+            auto header = process ? receiveHeader(*process, path) : std::nullopt;
+            works = header.has_value();
+            if (works) {
+                headers.push_back(*header);
+            } else {
+                headers.push_back(process ? gaveUp(path) : Failure{path + ": " + process.failure().text});
+            }
+        }
+    }
+    return headers;
 }
 
-Result<void> readDicomPixels(const DicomSlice& slice, std::span<std::byte> out)
+Result<void> readDicomPixels(const std::vector<DicomSlice>& slices, std::span<std::byte> out)
 {
-    return guarded(slice.path, [&]() -> Result<void> {
-        auto read = slice.isCompressed ? readCompressedPixels(slice, out) : readPlainPixels(slice, out);
-        if (read) keepStoredBits(slice, out);
-        return read;
+    const std::size_t each = out.size() / slices.size();
+    std::uintmax_t largest = 0;
+    for (const DicomSlice& slice : slices)
+        largest = std::max(largest, bytesIn(slice.path));
+    auto process = IsolatedProcess::start(memoryFor(largest, each), [&](const IsolatedProcess::Send& answer) {
+        for (const DicomSlice& slice : slices)
+            sendPixels(answer, slice, out.first(each));
     });
+    if (!process) return Failure{slices.front().path + ": " + process.failure().text};
+    for (const DicomSlice& slice : slices) {
+        Answer answer{};
+        if (!receive(*process, answer)) return gaveUp(slice.path);
+        if (answer != Answer::picture) {
+            Failure failure;
+            return receive(*process, failure.text) ? failure : gaveUp(slice.path);
+        }
+        if (!process->receive(out.first(each))) return gaveUp(slice.path);
+        out = out.subspan(each);
+    }
+    return {};
 }
 
 } // namespace vo

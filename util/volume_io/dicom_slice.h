@@ -31,12 +31,15 @@ struct DicomSlice
     StoredLayout layout() const;
 };
 
-/// Reads everything but the pixels. None for a file that is no DICOM picture, a failure for one that is but
-/// cannot be read.
-Result<std::optional<DicomSlice>> readDicomHeader(const std::string& path);
+/// What a file turned out to be: a picture, no DICOM picture at all (nothing), or one that cannot be read.
+using DicomHeader = Result<std::optional<DicomSlice>>;
 
-/// Reads the pixels, all frames, into memory of exactly their size: channels side by side, in this machine's
-/// byte order, bits that belong to no value cleared or filled with the sign.
-Result<void> readDicomPixels(const DicomSlice& slice, std::span<std::byte> out);
+/// Reads everything but the pixels: one answer for each path.
+std::vector<DicomHeader> readDicomHeaders(const std::vector<std::string>& paths);
+
+/// Reads the pixels of one file after another, all their frames, into memory of exactly their size: channels
+/// side by side, in this machine's byte order, bits that belong to no value cleared or filled with the sign.
+/// All files have as many bytes of pixels.
+Result<void> readDicomPixels(const std::vector<DicomSlice>& slices, std::span<std::byte> out);
 
 } // namespace vo

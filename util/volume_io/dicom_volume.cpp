@@ -9,6 +9,7 @@
 
 #include "dicom_slice.h"
 #include "input_file.h"
+#include "printable_text.h"
 
 namespace vo {
 namespace {
@@ -67,14 +68,13 @@ Result<std::map<std::string, Slices>> slicesIn(const std::string& folder, Volume
     std::map<std::string, Slices> groups;
     std::size_t others = 0;
     std::string damaged;
-    for (const std::string& path : paths) {
-        const auto slice = readDicomHeader(path);
+    for (const DicomHeader& slice : readDicomHeaders(paths)) {
         if (!slice && damaged.empty()) damaged = slice.failure().text;
         if (!slice || !*slice) {
             ++others;
-            continue;
+        } else {
+            groups[groupOf(**slice)].push_back(**slice);
         }
-        groups[groupOf(**slice)].push_back(**slice);
     }
     if (groups.empty())
         return Failure{damaged.empty() ? folder + ": expected a folder with DICOM pictures, found none in " +
@@ -91,7 +91,7 @@ std::string nameOf(const Slices& slices)
 {
     const DicomSlice& first = slices.front();
     const std::string name = first.seriesDescription.empty() ? first.series : first.seriesDescription;
-    return "\"" + name + "\" with " + std::to_string(slices.size()) +
+    return "\"" + printable(name) + "\" with " + std::to_string(slices.size()) +
            (slices.size() == 1 ? " file of " : " files of ") + std::to_string(first.columns) + " x " +
            std::to_string(first.rows);
 }
@@ -218,12 +218,7 @@ Result<VolumeFile> openSlices(const std::string& path, const Slices& slices, con
     }
     auto block = MemoryBlock::allocate(path, *bytes);
     if (!block) return block.failure();
-    std::span<std::byte> left = block->bytes();
-    for (const DicomSlice& slice : slices) {
-        if (auto read = readDicomPixels(slice, left.first(std::size_t(perFile))); !read)
-            return read.failure();
-        left = left.subspan(std::size_t(perFile));
-    }
+    if (auto read = readDicomPixels(slices, block->bytes()); !read) return read.failure();
     if (sameScale(slices)) {
         about.slope = slices[0].slope;
         about.intercept = slices[0].intercept;
@@ -240,7 +235,7 @@ Result<VolumeFile> openSlices(const std::string& path, const Slices& slices, con
 
 Result<VolumeFile> openDicomFile(const std::string& path)
 {
-    const auto slice = readDicomHeader(path);
+    const DicomHeader slice = readDicomHeaders({path}).front();
     if (!slice) return slice.failure();
     if (!*slice) return Failure{path + ": expected a DICOM file with a picture, found none"};
     VolumeDescription about;

@@ -9,6 +9,7 @@
 
 #include "data_files.h"
 #include "input_file.h"
+#include "printable_text.h"
 
 namespace vo {
 namespace {
@@ -87,7 +88,7 @@ Result<std::vector<Number>> numbers(const MetaHeader& header, const char* name, 
     }
     if (found.size() >= count) return found;
     return Failure{header.path + ": expected " + std::to_string(count) + " numbers in the field " + name +
-                   ", found \"" + value.substr(0, 60) + "\""};
+                   ", found \"" + printable(value) + "\""};
 }
 
 Result<std::int64_t> number(const MetaHeader& header, const char* name, std::int64_t otherwise)
@@ -132,7 +133,9 @@ Result<StoredLayout> layoutOf(const MetaHeader& header, std::int64_t& volumes)
 
     const std::string name = header.field({"ElementType"});
     const auto type = storedType(name);
-    if (!type) return Failure{header.path + ": expected an ElementType of numbers, found \"" + name + "\""};
+    if (!type)
+        return Failure{header.path + ": expected an ElementType of numbers, found \"" + printable(name) +
+                       "\""};
     layout.type = *type;
     const auto channels = number(header, "ElementNumberOfChannels", 1);
     if (!channels) return channels.failure();

@@ -8,6 +8,7 @@
 
 #include "data_files.h"
 #include "input_file.h"
+#include "printable_text.h"
 
 namespace vo {
 namespace {
@@ -116,7 +117,7 @@ Result<Parsed> parse(const std::string& path, const HeaderText& header)
             why.pop_back();
         why = why.substr(why.rfind('\n') + 1);
         if (why.starts_with("[nrrd] ")) why.erase(0, 7);
-        std::erase_if(why, [](char c) { return static_cast<unsigned char>(c) < ' '; });
+        why = printable(why, 160);
     }
     return Failure{path + ": expected a NRRD header, found one that cannot be read: " + why};
 }

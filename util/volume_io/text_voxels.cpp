@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "printable_text.h"
+
 namespace vo {
 namespace {
 
@@ -101,7 +103,7 @@ Result<void> readNumberText(const InputFile& file, std::int64_t offset, StoredTy
                     word, [](char c) { return c < ' ' || c > '~'; }, '.');
                 return Failure{file.path() + ": expected a number of type " + storedTypeName(type) +
                                " as voxel value " + std::to_string(at / step) + ", found \"" +
-                               word.substr(0, 40) + "\""};
+                               printable(word, 40) + "\""};
             }
             word.clear();
             at += step;

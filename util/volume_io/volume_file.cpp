@@ -7,6 +7,7 @@
 
 #include "deflate_stream.h"
 #include "input_file.h"
+#include "printable_text.h"
 #include "volume_reader.h"
 
 namespace vo {
@@ -33,13 +34,7 @@ Region clipped(const Region& region, const std::array<std::int64_t, 3>& volume)
 std::string readable(std::span<const std::byte> bytes)
 {
     if (bytes.empty()) return "an empty file";
-    std::string text = "\"";
-    for (const std::byte byte : bytes) {
-        const char letter = static_cast<char>(byte);
-        text += letter >= ' ' && letter <= '~' ? letter : '.';
-    }
-    text += '"';
-    return text;
+    return '"' + printable(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())) + '"';
 }
 
 enum class FileKind { tiff, nrrd, nifti, metaImage, dicom, png, unknown };
