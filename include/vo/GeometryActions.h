@@ -147,8 +147,8 @@ public:
         needs room for 4 records, of which the last three values are written. */
     static int sample(float tetraVerts[4][3], float planeEquation[4], voVertexData *polygonVerts);
 
-    /** A convex polygon (its records in order) cut to a box, both faces included, or to the positive sides of planes
-        {A, B, C, D}; what is left, if anything, is appended to faceSet with every value interpolated. */
+    /** A convex polygon (its records in order) cut by its positions to a box, both faces included, or to the positive
+        sides of planes {A, B, C, D}; what is left, if anything, is appended to faceSet with every value interpolated. */
     static int clip(voVertexData *polygon, voInterleavedArrayType format, float lowerLeft[3], float upperRight[3],
                     voIndexedFaceSet *faceSet);
     static int clip(voVertexData *polygon, float lowerLeft[3], float upperRight[3], voIndexedFaceSet *faceSet);

@@ -958,6 +958,29 @@ TEST(SampleTest, badArgumentsAreBadValue)
     EXPECT_LE(polygon.getCount(), 4);
 }
 
+TEST(SampleTest, degenerateInputGivesNoneOrThree)
+{
+    voVertexData polygon(4, 3);
+    const auto count = [&](float tetra[4][3], std::array<float, 4> plane) {
+        EXPECT_EQ(voGeometryActions::sample(tetra, plane.data(), &polygon), 0);
+        return polygon.getCount();
+    };
+    EXPECT_EQ(count(kUnitTetra, {0, 0, -1, 0}), 3)
+        << "a face, with nothing behind the plane but its own vertices";
+    EXPECT_EQ(count(kUnitTetra, {0, 0, 1, 0}), 0) << "everything in front";
+    EXPECT_EQ(count(kUnitTetra, {0, 0, 1, -4}), 0) << "a vertex";
+    EXPECT_EQ(count(kUnitTetra, {-1, -1, 0, 0}), 0) << "an edge";
+    EXPECT_EQ(count(kUnitTetra, {1, -1, 0, 0}), 3) << "through an edge";
+    EXPECT_EQ(count(kUnitTetra, {0, 0, 0, 0}), 0);
+    EXPECT_EQ(count(kUnitTetra, {0, 0, 0, -1}), 0);
+    EXPECT_EQ(count(kUnitTetra, {kNaN, 0, 0, 0}), 0);
+    float flat[4][3] = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
+    EXPECT_EQ(count(flat, {0, 0, 1, -1}), 0);
+    float point[4][3] = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+    EXPECT_EQ(count(point, {1, 0, 0, -1}), 0);
+    expectNoError();
+}
+
 /// A square of records (x / 10, y / 10, 0, x, y, 0) over [0, 10]^2.
 struct ClipTest : testing::Test
 {
@@ -1041,6 +1064,38 @@ TEST_F(ClipTest, polygonsOfManyVerticesAreCutToo)
     float corner[3] = {0, 0, 0}, box[3] = {1, 1, 1};
     EXPECT_EQ(voGeometryActions::clip(&round, corner, box, &disks), 0);
     EXPECT_NEAR(areaOf(disks), M_PI / 4, 1e-4);
+}
+
+TEST_F(ClipTest, degenerateInputGivesNothingOrItself)
+{
+    const auto left = [&](std::array<float, 4> plane) {
+        faces.empty();
+        EXPECT_EQ(voGeometryActions::clip(&polygon, Format::C3F_V3F, plane.data(), 1, &faces), 0);
+        return areaOf(faces);
+    };
+    EXPECT_NEAR(left({0, 0, 0, 1}), 100, 1e-5);
+    EXPECT_NEAR(left({0, 0, 0, 0}), 100, 1e-5);
+    EXPECT_EQ(left({0, 0, 0, -1}), 0);
+    EXPECT_NEAR(left({0, 0, 1, 0}), 100, 1e-5) << "in the plane";
+    EXPECT_EQ(left({1, 0, 0, -10}), 0) << "an edge alone";
+    EXPECT_EQ(left({1, 1, 0, -20}), 0) << "a corner alone";
+    EXPECT_EQ(left({kNaN, 0, 0, 0}), 0);
+
+    const auto inside = [&](std::array<float, 3> low, std::array<float, 3> high) {
+        faces.empty();
+        EXPECT_EQ(voGeometryActions::clip(&polygon, Format::C3F_V3F, low.data(), high.data(), &faces), 0);
+        return areaOf(faces);
+    };
+    EXPECT_NEAR(inside({1, 1, 0}, {3, 3, 0}), 4, 1e-5) << "a box without thickness";
+    EXPECT_EQ(inside({10, 0, -1}, {12, 10, 1}), 0) << "an edge alone";
+    EXPECT_EQ(inside({4, 0, -1}, {4, 10, 1}), 0) << "a line";
+    std::copy_n(polygon[0], 6, polygon[1]);
+    EXPECT_NEAR(inside({0, 0, -1}, {10, 10, 1}), 50, 1e-5) << "a vertex twice";
+    polygon.setCount(2);
+    EXPECT_EQ(inside({0, 0, -1}, {10, 10, 1}), 0);
+    polygon.setCount(0);
+    EXPECT_EQ(inside({0, 0, -1}, {10, 10, 1}), 0);
+    expectNoError();
 }
 
 TEST_F(ClipTest, badArgumentsAreBadValueAndAppendNothing)
