@@ -70,7 +70,7 @@ public:
             std::swap(lower_, upper_);
             fillRow(tetra.tetra, ring + 1, range, upper_);
             for (std::size_t j = 0; j + 1 < lower_.size(); ++j)
-                if (!cutFacet(tetra.tetra, ring, j)) return false;
+                if (!cutFacet(tetra.tetra, j)) return false;
         }
         return true;
     }
@@ -86,16 +86,11 @@ private:
         }
     }
 
-    /// Counterclockwise for the eye, to whom meridians run from right to left.
-    bool cutFacet(const FacetTetra& tetra, int ring, std::size_t j)
+    /// Counterclockwise for the eye, to whom meridians run from right to left. At the poles two corners are
+    /// one.
+    bool cutFacet(const FacetTetra& tetra, std::size_t j)
     {
-        std::array<FacetCorner, 4> corners;
-        std::size_t count = 0;
-        if (ring > 0) corners[count++] = lower_[j + 1];
-        corners[count++] = lower_[j];
-        corners[count++] = upper_[j];
-        if (ring + 1 < grid_.rings()) corners[count++] = upper_[j + 1];
-        const std::span<const FacetCorner> facet(corners.data(), count);
+        const std::array<FacetCorner, 4> facet{lower_[j + 1], lower_[j], upper_[j], upper_[j + 1]};
         for (int face = 0; face < 4; ++face)
             if (std::none_of(facet.begin(), facet.end(), [&](const FacetCorner& corner) {
                     return tetra.isInside(face, corner.distances[static_cast<std::size_t>(face)]);

@@ -125,6 +125,43 @@ TEST(SamplingShells, periodScalesTheSpaceOfTheShells)
     EXPECT_NEAR(shells.radius(shells.count - 1) - 0.5 * shells.spacing, 24, 1e-12);
 }
 
+TEST(SamplingShells, nearPlaneIsMeasuredInTheScaledSpaceToo)
+{
+    vo::SamplingRequest wanted = request(vo::SamplingSpace::viewVolume);
+    wanted.period = glm::dvec3(0.5, 2, 1);
+    const vo::Camera camera = cameraAt(kOutside);
+    const vo::ShellFamily shells = vo::samplingShells(cube(kSize).view(), camera, wanted);
+    std::array<glm::dvec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i)
+        p[i] = (camera.corners[i] - kOutside) / *wanted.period;
+    const glm::dvec3 normal = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
+    EXPECT_NEAR(shells.radius(shells.count - 1), std::abs(glm::dot(normal, p[0])), 1e-6);
+}
+
+TEST(ShellGrid, verticesAreTheSameAfterAFullTurnAndAtThePoles)
+{
+    vo::ShellFamily shells;
+    shells.first = 3;
+    shells.count = 1;
+    vo::ShellGrid grid;
+    grid.assign(shells, 0);
+    EXPECT_GT(grid.rings(), 10);
+    grid.select({0, grid.rings() - 1, -grid.sectors() - 2, 2 * grid.sectors()});
+    for (int ring = 0; ring <= grid.rings(); ++ring)
+        for (int sector = 0; sector < grid.sectors(); ++sector) {
+            const glm::dvec3 vertex = grid.vertex(ring, sector);
+            EXPECT_EQ(grid.vertex(ring, sector - grid.sectors()), vertex);
+            EXPECT_EQ(grid.vertex(ring, sector + grid.sectors()), vertex);
+            if (ring == 0 || ring == grid.rings()) {
+                EXPECT_EQ(grid.vertex(ring, 0), vertex);
+            }
+        }
+    vo::ShellGrid part;
+    part.assign(shells, 0);
+    part.select({3, 4, 5, 6});
+    EXPECT_EQ(part.vertex(5, 7), grid.vertex(5, 7));
+}
+
 TEST(PolygonizeShells, facetsStayNearTheirShell)
 {
     for (const glm::dvec3& eye : {kOutside, kInside, glm::dvec3(8, 8, 400)}) {
@@ -224,6 +261,73 @@ TEST(PolygonizeShells, neighboursShareTheirVerticesBitForBit)
         }
         EXPECT_GT(onTheBorder, 100);
         EXPECT_GE(closed, eye == kOutside ? 0 : 3) << "whole shells inside the volume";
+    }
+}
+
+TEST(PolygonizeShells, tetrahedraOfAnyVertexOrderShareTheirVertices)
+{
+    const TetraSet set = cube(glm::dvec3(-9), glm::dvec3(9));
+    const std::vector<double> seams{-7.5, -2, 7.5};
+    const auto boxes = lattice(seams, seams, seams);
+    for (const glm::dvec3& eye : {glm::dvec3(0), glm::dvec3(1, 2, 3)}) {
+        const Cut cut(set, boxes, eye, request());
+        for (int k = 0; k < cut.result.samples; ++k)
+            for (const auto& [a, b] : openEdges(cut.faces, k)) {
+                bool border = false;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    border = border || (std::abs(a[axis]) == 7.5f && a[axis] == b[axis]);
+                EXPECT_TRUE(border) << k;
+            }
+    }
+}
+
+TEST(PolygonizeShells, shellsInsideATetrahedronAreWhole)
+{
+    const TetraSet set = jitteredLattice(2, -2, kSize + 2, 0.2, 3);
+    const vo::Box all{glm::dvec3(-100), glm::dvec3(100)};
+    vo::SamplingRequest wanted = request();
+    wanted.period = glm::dvec3(0.5);
+    for (int tetra = 0; tetra < set.view().tetraCount(); tetra += 5) {
+        glm::dvec3 eye(0);
+        for (std::size_t i = 0; i < 4; ++i)
+            eye += 0.25 * set.view().position(set.indices[std::size_t(tetra) * 4 + i]);
+        const Cut cut(set, {&all, 1}, eye, wanted);
+        const int nearest = cut.result.samples - 1;
+        EXPECT_TRUE(openEdges(cut.faces, nearest).empty());
+        double area = 0;
+        for (const Face& face : cut.faces.all)
+            if (face.sample == nearest) area += glm::length(face.area());
+        const double radius = 0.5 * cut.shells.radius(nearest);
+        EXPECT_NEAR(area / (4 * M_PI * radius * radius), 1, 0.05); // flat facets of a tiny shell
+    }
+}
+
+/// One facet, in the face that the two halves of a box share, or outside.
+TEST(PolygonizeFacets, facetInASharedFaceIsYieldedOnce)
+{
+    struct OneFacet : vo::FacetSource
+    {
+        std::vector<glm::dvec3> corners;
+        void facetsOf(int, const vo::Box&, vo::FacetList& facets) override
+        {
+            facets.corners = corners;
+            facets.counts = {int(corners.size())};
+        }
+    } source;
+    TetraSet set; // two tetrahedra that share the triangle in z = 4
+    for (const glm::dvec3& p : {glm::dvec3(0, 0, 4), {8, 0, 4}, {0, 8, 4}, {1, 1, 0}, {1, 1, 8}})
+        set.add(p);
+    const vo::Box all{glm::dvec3(0), glm::dvec3(kSize)};
+    source.corners = {{1, 1, 4}, {3, 1, 4}, {3, 3, 4}, {1, 3, 4}};
+    for (const auto& indices : {std::vector<int>{0, 1, 2, 3, 0, 1, 2, 4}, {3, 1, 2, 0, 2, 4, 1, 0}}) {
+        set.indices = indices;
+        vo::PolygonizeWorkspace workspace;
+        Faces faces;
+        const auto result = vo::polygonize(set.view(), {&all, 1}, source, 2, workspace, faces);
+        EXPECT_EQ(result.samples, 2);
+        EXPECT_EQ(faces.all.size(), 2u);
+        for (const Face& face : faces.all)
+            EXPECT_NEAR(face.area().z, 4, 1e-6);
     }
 }
 

@@ -331,6 +331,10 @@ TEST(ConvexParts, crossingEdgesAndNoAreaGiveNothing)
         pentagram.push_back({std::cos(i * 0.8 * M_PI), std::sin(i * 0.8 * M_PI), 0});
     EXPECT_FALSE(vo::convexParts(polygonOf(pentagram)));
     EXPECT_FALSE(vo::convexParts(polygonOf({{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {5, 4, 0}})));
+    // Ears could be cut off these all the same.
+    EXPECT_FALSE(vo::convexParts(polygonOf({{4, 3, 0}, {4, 0, 0}, {0, 5, 0}, {6, 0, 0}, {3, 2, 0}})));
+    EXPECT_FALSE(
+        vo::convexParts(polygonOf({{0, 3, 0}, {0, 0, 0}, {4, 6, 0}, {1, 6, 0}, {1, 2, 0}, {3, 4, 0}})));
     EXPECT_TRUE(vo::convexParts(polygonOf({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}))->empty());
     EXPECT_TRUE(vo::convexParts(polygonOf({{0, 0, 0}, {1, 1, 1}}))->empty());
     EXPECT_TRUE(vo::convexParts(polygonOf({{0, 0, 0}, {std::nan(""), 1, 1}, {2, 0, 2}}))->empty());
