@@ -7,6 +7,51 @@
 
 namespace DIALECT {
 
+static void drawPlane(float planeEquation[4], voIndexedTetraSet* aTetraSet, voBrick* aBrick)
+{
+    float brickLowerLeft[3], brickUpperRight[3];
+    aBrick->getClipBrickSizes(brickLowerLeft, brickUpperRight);
+    voIndexedFaceSet polygons(40, 3, 50);
+    voIndexedTetraSetIterator iter(aTetraSet);
+    for (; !iter.doneP(); iter.nextPrimitive()) {
+        float tetraVerts[4][3];
+        for (int i = 0; i < 4; i++)
+            memcpy(tetraVerts[i], iter.nextVertex(), 3 * sizeof(float));
+        voVertexData polygonVerts(4, 3);
+        sample(tetraVerts, planeEquation, &polygonVerts);
+        if (polygonVerts.getCount() > 0) clip(&polygonVerts, brickLowerLeft, brickUpperRight, &polygons);
+    }
+    voGeometryActions::draw(&polygons, voInterleavedArrayTypeScope::V3F);
+}
+
+void customDraw(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume)
+{
+    GLdouble modelMatrix[16], projMatrix[16];
+    glGetDoublev(GL_MODELVIEW_MATRIX, modelMatrix);
+    glGetDoublev(GL_PROJECTION_MATRIX, projMatrix);
+    float samplingPeriod[3] = {1, 1, 1};
+    voSamplingPlaneSet aPlaneSet(aTetraSet, aVolume->currentBrickSet, modelMatrix, projMatrix,
+                                 voSamplingModeScope::VIEWPORT_ALIGNED, voSamplingSpaceScope::OBJECT,
+                                 samplingPeriod, 256);
+    voAppearanceActions::textureEnable(aVolume->interpolationType);
+    voAppearanceActions::texgenEnable();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    voGeometryActions::voSortAction aSortAction(aVolume->getCurrentBrickSet(), modelMatrix, projMatrix);
+    int BrickCount = aVolume->currentBrickSet->getBrickCount();
+    for (int brickNo = 0; brickNo < BrickCount; brickNo++) {
+        int brickSortedNo = aSortAction[brickNo];
+        voBrick* aBrick = aVolume->currentBrickSet->getBrick(brickSortedNo);
+        voAppearanceActions::textureLoad(aBrick);
+        voAppearanceActions::texgenSetEquation(aBrick);
+        voSamplingPlaneSetIterator iter(&aPlaneSet);
+        for (float* planeEquation; planeEquation = iter();)
+            drawPlane(planeEquation, aTetraSet, aBrick);
+    }
+    voAppearanceActions::texgenDisable();
+    voAppearanceActions::textureDisable(aVolume->interpolationType);
+}
+
 int visitInOrder(voBrickSetCollection* aVolume, GLdouble modelMatrix[16], GLdouble projMatrix[16])
 {
     int BrickCount = aVolume->currentBrickSet->getBrickCount();

@@ -77,6 +77,9 @@ void loadAndBind(voTexture3D* aTexture3D);
 
 // Chapter 8.
 
+/// Pages 150 and 151: draws by a procedure of the program's own, plane by plane and tetrahedron by
+/// tetrahedron.
+void customDraw(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume);
 /// Page 151: the sum of the bricks' origins along z, each times its place in the order of drawing from 1 on.
 int visitInOrder(voBrickSetCollection* aVolume, GLdouble modelMatrix[16], GLdouble projMatrix[16]);
 /// Pages 152 to 154: a plane cut with a tetrahedron, then with a brick's clip box.

@@ -104,6 +104,7 @@ namespace {
     X(drawOutline)                                                                                           \
     X(selectStack)                                                                                           \
     X(loadAndBind)                                                                                           \
+    X(customDraw)                                                                                            \
     X(visitInOrder)                                                                                          \
     X(sliceAndClip)                                                                                          \
     X(clipToTenPlanes)                                                                                       \
@@ -536,7 +537,44 @@ TEST_P(ChaptersGL, chapter7And8SelectTheStackMostAcrossTheView)
     }
 }
 
+TEST_P(ChaptersGL, chapter7TextureMatrixStandsForRewrittenCoordinates)
+{
+    voBrickSetCollection* volume =
+        GetParam().readVolume(ramp_, kSize, kSize, Interpolation::_3D, External::DEFAULT);
+    gl().Color4f(1, 1, 1, 1);
+    Square square(2.5f, Format::T3F_V3F);
+    GetParam().drawThroughTextureMatrix(volume->getCurrentBrickSet()->getBrick(0), square.faces());
+    EXPECT_SLICE(2);
+    EXPECT_EQ((*square.faces())[3][0], 8.0f); // still in voxels
+    GetParam().cleanUp(volume, GetParam().makeCube(kSize));
+}
+
+TEST_P(ChaptersGL, chapter7InterleavesBricksOfOneSizeAndFormat)
+{
+    voBrickSetCollection volume(8, 4, 4, 4, 4, 4, voPartialBrickTypeScope::TRUNCATE, 0,
+                                voInternalFormatTypeScope::LUMINANCE8_ALPHA8_EXT, External::LUMINANCE_ALPHA,
+                                voDataTypeScope::UNSIGNED_BYTE, Interpolation::_3D);
+    voBrickSet* set = volume.getCurrentBrickSet();
+    voAppearanceActions::dataAlloc(set);
+    int before, after;
+    EXPECT_EQ(GetParam().interleave(set->getBrick(0), set->getBrick(1), &before, &after), 0);
+    EXPECT_EQ(before, VO_FALSE);
+    EXPECT_EQ(after, VO_TRUE);
+}
+
 // --- chapter 8 ---
+
+TEST_P(ChaptersGL, chapter8DrawsByAProcedureOfItsOwn)
+{
+    char constant[] = "constant 102";
+    voBrickSetCollection* volume =
+        GetParam().readVolume(constant, kSize, kSize, Interpolation::_3D, External::DEFAULT);
+    voIndexedTetraSet* cube = GetParam().makeCube(kSize);
+    gl().Color4f(1, 1, 1, 0.5f);
+    GetParam().customDraw(cube, volume);
+    expectInside(stacked(0.4, 0.4 * 0.5, kSize));
+    GetParam().cleanUp(volume, cube);
+}
 
 TEST_P(ChaptersGL, chapter8VisitsBricksFromBackToFront)
 {

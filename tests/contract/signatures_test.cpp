@@ -3,7 +3,8 @@
 
 #include "../legacy/expect_error.h"
 
-#include <algorithm>
+#include <vo/Volumizer.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -52,6 +53,20 @@ TEST(SignaturesTest, everyRowIsUsedInBothDialects)
     EXPECT_EQ(rowsIn20(), rows);
     const std::set<std::string> different(rows.begin(), rows.end());
     EXPECT_EQ(different.size(), rows.size());
+}
+
+#if defined(VI_TRUE) || defined(voewport) || defined(voInterleavedArrayFormat)
+constexpr bool slipsAreDefined = true;
+#else
+constexpr bool slipsAreDefined = false;
+#endif
+// Programs may have these names for themselves.
+enum { VI_TRUE, voInterleavedArrayFormat, voewport };
+
+TEST(SignaturesTest, namesThatAreSlipsAreNotDefined)
+{
+    EXPECT_FALSE(slipsAreDefined);
+    EXPECT_EQ(VI_TRUE + voInterleavedArrayFormat, 1);
 }
 
 } // namespace

@@ -78,6 +78,18 @@ static void viewing()
     is<float (*)(voIndexedFaceSet*, GLdouble[16], GLdouble[16], GLint[4])>(&Actions::findProjectedArea);
 }
 
+// A program's own surfaces.
+class OneTriangle : public voSamplingSurfaceSet
+{
+public:
+    virtual int getSurfaceCount() const { return 1; }
+    virtual void getSurface(int, float lowerLeft[3], float*, voIndexedFaceSet* facets)
+    {
+        float vdata[9] = {lowerLeft[0], lowerLeft[1], lowerLeft[2], 8, 0, 0, 0, 8, 0};
+        facets->appendPoly(vdata, 3);
+    }
+};
+
 static void sortingAndCaching()
 {
     ROW(P28);
@@ -91,6 +103,18 @@ static void sortingAndCaching()
     int brickNo = 0;
     int brickSortedNo = aSortAction[brickNo];
     is(brickSortedNo);
+    ROW(P29);
+    OneTriangle ownSurfaces;
+    voSamplingSurfaceSet* surfaces = &ownSurfaces;
+    is(surfaces->getSurfaceCount());
+    is<int (*)(voIndexedTetraSet*, voBrickSet*, voInterleavedArrayType, voSamplingSurfaceSet*, int, int&,
+               voIndexedFaceSet***)>(&Actions::polygonize);
+    ROW(P30);
+    float planeEquation[4] = {0, 0, 1, 0};
+    voSamplingPlaneSet planes(planeEquation, 1, 8);
+    voSamplingPlaneSetIterator planeIter(&planes);
+    for (float* plane; plane = planeIter();)
+        is(plane);
     ROW(P31);
     ROW(P32);
     voIndexedTetraSet tetras(8, 3, 20);

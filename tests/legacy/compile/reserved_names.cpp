@@ -1,5 +1,5 @@
 // Names that belong to applications: programs that descend from SGI's samples define them beside the face.
-// ROW(B9) of tests/contract/checklist.txt.
+// ROW(B9) ROW(C7) of tests/contract/checklist.txt.
 
 #define _GEOMETRY_
 #define _voAppearance_h_
