@@ -4,6 +4,9 @@
 #include <vo/Enums.h>
 #include <vo/Error.h>
 
+class voBrickSet;
+class voIndexedTetraSet;
+
 /** What a program sets by OpenGL's fixed functions in a compatibility context, for contexts of the core profile that
     have none. One state for each context, the current one; UNSUPPORTED without a context. In a compatibility context
     these values are not used, but for the unit length: there OpenGL's own state counts.
@@ -29,10 +32,20 @@ public:
     typedef Function (*GetProcAddress)(const char *name);
     static void setGetProcAddress(GetProcAddress getProcAddress);
 
-    /** Opacity per length instead of per slice: with a length above 0, in voxels, a table's alpha is the opacity of
-        that length, and each sample gets 1 - (1 - alpha)^(step / length) with step along the pixel's ray. 0, the
-        initial value: per slice. Not there yet: UNSUPPORTED for a length above 0. */
+    /** Opacity per length instead of per slice, so that pictures hardly depend on the sampling period: with a length
+        above 0, in the unit of the tetrahedra's positions, the alpha of a fragment (texture, table and colour
+        together) is the opacity of that length, and each sample gets 1 - (1 - alpha)^(step / length), step being the
+        distance of sampling surfaces along the pixel's own line of sight. 0, the initial value: per slice. drawUtility
+        and pick know the step; PRIMITIVE, where it differs by tetrahedron, is then UNSUPPORTED. */
     static void setUnitLength(double length);
+    /** Tells the step of face sets that the program polygonized and draws itself, by the arguments that polygonize was
+        called with: from now on draw of a face set applies the unit length. Before it is called, after
+        resetSampling(), and for what is no sample (cross-sections, the faces of tetrahedra, outlines), alpha counts as
+        it is. One for each context. */
+    static void setSampling(voIndexedTetraSet *tetraSet, voBrickSet *brickSet, GLdouble modelMatrix[16],
+                            GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
+                            float samplingPeriod[3], int maxSamplesNumber);
+    static void resetSampling();
 };
 
 #endif

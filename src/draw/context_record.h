@@ -5,6 +5,7 @@
 #include "lookup/table.h"
 
 #include <glad/gl.h>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
@@ -12,6 +13,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -55,6 +57,8 @@ struct Program
     GLint currentColor = -1;
     GLint texgenPlanes = -1;
     GLint clipPlanes = -1;
+    GLint viewer = -1;
+    GLint sampleGauge = -1;
     GLint voxels = -1;
     GLint table = -1;
 };
@@ -76,6 +80,10 @@ struct ContextState
                                           glm::vec4(0, 0, 1, 0)};
 
     std::shared_ptr<TableSlot> activeTables[2]; ///< by TableKind
+
+    double unitLength = 0.0; ///< over which alpha is an opacity; 0: over a slice
+    /// Of the face sets that the program draws itself (sampleGauge); nothing: their alpha is that of a slice.
+    std::optional<glm::dmat3> sampleGauge;
 };
 
 /// Everything that belongs to one OpenGL context: its functions, its objects, its state.

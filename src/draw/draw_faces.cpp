@@ -27,6 +27,7 @@ ProgramVariant variantFor(const ContextRecord& context, const DrawState& state, 
     variant.vertexColor = layout.color >= 0;
     variant.flat = state.flat;
     variant.clipDistances = state.clipPlaneCount;
+    variant.opacityPerLength = state.opacityPerLength;
     if (state.texturing == Texturing::none) return variant;
     variant.texgen = state.texgen;
     variant.projectiveTexture = !isAffine(state.textureMatrix);
@@ -73,6 +74,8 @@ void useProgram(ContextRecord& context, const DrawState& state, const RecordLayo
     gl.Uniform4fv(program.texgenPlanes, 3, glm::value_ptr(state.texgenPlanes[0]));
     if (state.clipPlaneCount > 0)
         gl.Uniform4fv(program.clipPlanes, state.clipPlaneCount, glm::value_ptr(state.clipPlanes[0]));
+    gl.Uniform4fv(program.viewer, 1, glm::value_ptr(state.viewer));
+    gl.UniformMatrix3fv(program.sampleGauge, 1, GL_FALSE, glm::value_ptr(state.sampleGauge));
     gl.Uniform1i(program.voxels, state.voxelUnit);
     gl.Uniform1i(program.table, state.tableUnit);
     if (variant.lookup != Lookup::none) bindTable(context, state);

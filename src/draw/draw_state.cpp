@@ -1,5 +1,7 @@
 #include "draw/draw_state.h"
 
+#include "polygonize/camera.h"
+
 namespace vo {
 
 namespace {
@@ -76,6 +78,17 @@ DrawState readDrawState(const ContextRecord& context)
     }
     readBoundTexture(context, state);
     return state;
+}
+
+void setOpacityPerLength(const ContextRecord& context, const glm::dmat3& gauge, DrawState& state)
+{
+    if (!(context.state.unitLength > 0.0)) return;
+    const std::optional<Camera> camera = findCamera(state.model, state.projection);
+    if (!camera) return;
+    state.opacityPerLength = true;
+    state.sampleGauge = glm::mat3(gauge * context.state.unitLength);
+    state.viewer = camera->perspective ? glm::vec4(glm::vec3(camera->eye), 1.0f)
+                                       : glm::vec4(glm::vec3(camera->direction), 0.0f);
 }
 
 void readBoundTexture(const ContextRecord& context, DrawState& state)

@@ -3,6 +3,7 @@
 #include "draw/context_record.h"
 #include "draw/programs.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 #include <array>
@@ -29,7 +30,17 @@ struct DrawState
     bool replace = false;         ///< texture environment
     bool flat = false;            ///< shade model
     GLenum polygonMode = GL_FILL; ///< GL_FILL when front and back differ
+
+    /// Alpha is the opacity of a unit of length: a fragment gets that of length(d) / length(sampleGauge * d)
+    /// units, d being its line of sight in object space.
+    bool opacityPerLength = false;
+    glm::mat3 sampleGauge{1.0f};
+    glm::vec4 viewer{0.0f}; ///< the eye and 1, or the line of sight and 0
 };
+
+/// Switches opacity per length on for samples that lie length(d) / length(gauge * d) apart; nothing happens
+/// when the context has no unit length, or the matrices are singular.
+void setOpacityPerLength(const ContextRecord& context, const glm::dmat3& gauge, DrawState& state);
 
 DrawState readDrawState(const ContextRecord& context);
 

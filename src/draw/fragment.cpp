@@ -1,6 +1,7 @@
 #include "draw/fragment.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vo {
 
@@ -30,6 +31,11 @@ glm::dvec4 fragmentOf(const DrawState& state, const Table* table, glm::dvec4 sam
     if (!state.replace) return color * sampled;
     if (table || state.textureHasAlpha) return sampled;
     return {sampled.r, sampled.g, sampled.b, color.a};
+}
+
+double opacityOver(double alpha, double units)
+{
+    return 1.0 - std::pow(1.0 - std::clamp(alpha, 0.0, 1.0), units);
 }
 
 } // namespace vo

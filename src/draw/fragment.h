@@ -13,4 +13,7 @@ namespace vo {
 glm::dvec4 fragmentOf(const DrawState& state, const Table* table, glm::dvec4 sampled,
                       const glm::dvec4& color);
 
+/// The opacity of `units` lengths of which one has the opacity `alpha`.
+double opacityOver(double alpha, double units);
+
 } // namespace vo

@@ -27,6 +27,10 @@ uniform vec4 clipPlanes[CLIP_DISTANCES];
 out float gl_ClipDistance[CLIP_DISTANCES];
 #endif
 INTERPOLATION out vec4 color;
+#ifdef OPACITY_PER_LENGTH
+uniform vec4 viewer;
+out vec3 sight;
+#endif
 #ifdef TEXTURED
 out vec4 texCoord;
 #endif
@@ -39,6 +43,9 @@ void main()
     color = vertexColor;
 #else
     color = currentColor;
+#endif
+#ifdef OPACITY_PER_LENGTH
+    sight = viewer.w > 0.0 ? position - viewer.xyz : viewer.xyz;
 #endif
 #ifdef TEXTURED
 #ifdef TEXGEN
@@ -59,6 +66,10 @@ void main()
 // The table is fetched and mixed here: linear filtering of textures has 8 bits of weight on some hardware.
 constexpr const char* kFragmentShader = R"(
 INTERPOLATION in vec4 color;
+#ifdef OPACITY_PER_LENGTH
+in vec3 sight;
+uniform mat3 sampleGauge;
+#endif
 #ifdef TEXTURED
 in vec4 texCoord;
 uniform SAMPLER voxels;
@@ -108,6 +119,10 @@ void main()
     fragment.rgb = sampled.rgb;
 #endif
 #endif
+#ifdef OPACITY_PER_LENGTH
+    float units = length(sight) / length(sampleGauge * sight);
+    fragment.a = 1.0 - pow(1.0 - clamp(fragment.a, 0.0, 1.0), units);
+#endif
 }
 )";
 
@@ -126,6 +141,7 @@ std::string preamble(const ProgramVariant& v)
         if (v.lookup == Lookup::byRed) define("LOOKUP_BY_RED");
     }
     if (v.vertexColor) define("VERTEX_COLOR");
+    if (v.opacityPerLength) define("OPACITY_PER_LENGTH");
     define(v.flat ? "INTERPOLATION flat" : "INTERPOLATION");
     define("CLIP_DISTANCES " + std::to_string(v.clipDistances));
     return text;
@@ -170,6 +186,8 @@ Program link(const GladGLContext& gl, const ProgramVariant& variant)
     program.currentColor = find("currentColor");
     program.texgenPlanes = find("texgenPlanes");
     program.clipPlanes = find("clipPlanes");
+    program.viewer = find("viewer");
+    program.sampleGauge = find("sampleGauge");
     program.voxels = find("voxels");
     program.table = find("table");
     return program;
@@ -182,7 +200,8 @@ unsigned ProgramVariant::key() const
     return static_cast<unsigned>(texturing) | static_cast<unsigned>(texgen) << 2 |
            static_cast<unsigned>(projectiveTexture) << 3 | static_cast<unsigned>(vertexColor) << 4 |
            static_cast<unsigned>(flat) << 5 | static_cast<unsigned>(environment) << 6 |
-           static_cast<unsigned>(lookup) << 8 | static_cast<unsigned>(clipDistances) << 10;
+           static_cast<unsigned>(lookup) << 8 | static_cast<unsigned>(clipDistances) << 10 |
+           static_cast<unsigned>(opacityPerLength) << 14;
 }
 
 const Program& programFor(ContextRecord& context, const ProgramVariant& variant)

@@ -22,6 +22,7 @@ struct ProgramVariant
     TextureEnvironment environment = TextureEnvironment::modulate;
     Lookup lookup = Lookup::none;
     int clipDistances = 0; ///< planes 0 to n - 1 are computed
+    bool opacityPerLength = false;
 
     unsigned key() const;
 };

@@ -4,6 +4,7 @@
 #include "draw/draw_faces.h"
 #include "draw/draw_state.h"
 #include "draw/scoped_state.h"
+#include "polygonize/line_of_sight.h"
 #include "sort/brick_order.h"
 
 #include <chrono>
@@ -148,8 +149,13 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Polyg
     const std::vector<int> order = backToFront(request.clipBoxes, *camera);
     clock.end(&FrameTimes::sort);
 
+    DrawState samples = state;
+    if (context.state.unitLength > 0.0)
+        if (const auto gauge = sampleGauge(request.tetras, cache.camera(), request.sampling))
+            setOpacityPerLength(context, *gauge, samples);
+
     const ScopedTextureBindings bindings(context.gl);
-    const FrameResult result = drawBricks(context, request, cache, order, state, clock);
+    const FrameResult result = drawBricks(context, request, cache, order, samples, clock);
     clock.finish();
     clock.end(&FrameTimes::draw);
     return result;

@@ -37,6 +37,8 @@ public:
     /// Where the indices of a brick begin; brick count + 1 of them.
     std::span<const std::size_t> brickStarts() const { return brickStarts_; }
     int samples() const { return samples_; }
+    /// For which the polygons were made; the view may have turned since.
+    const Camera& camera() const { return keyCamera_; }
 
 private:
     struct Polygon

@@ -70,7 +70,8 @@ void drawFaceSet(voIndexedFaceSet& faceSet, const GLenum* mode, int format)
     if (faceSet.getIndices()->getCount() == 0) return;
     vo::ContextRecord& context = vo::requireContext();
     gather(faceSet, layout.values, batch);
-    const vo::DrawState state = vo::readDrawState(context);
+    vo::DrawState state = vo::readDrawState(context);
+    if (context.state.sampleGauge) vo::setOpacityPerLength(context, *context.state.sampleGauge, state);
     vo::drawFaces(context, state, layout, batch.records, batch.polygons, mode ? *mode : state.polygonMode);
 }
 
@@ -235,6 +236,8 @@ int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArr
         request.sampling =
             vo::samplingRequest(mode, samplingSpace, samplingPeriod,
                                 kept ? kept->maxSamples : defaultMaxSamples(set), set.getOrientation());
+        if (context.state.unitLength > 0.0 && request.sampling.space == vo::SamplingSpace::primitive)
+            vo::unsupported("opacity per length needs samples of one distance, which PRIMITIVE has not");
         request.threshold = kept ? kept->threshold : 0.0;
         request.outlineBricks = decorations & voDecorationFlagsScope::BRICKS;
         request.outlineTetras = decorations & voDecorationFlagsScope::TETRAS;

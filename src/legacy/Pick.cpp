@@ -176,6 +176,7 @@ std::vector<std::byte> drawnVoxels(const PickedLine& line)
     const vo::TableSlot* before = vo::activeTable(context, vo::TableKind::preInterpolation);
     const vo::TableSlot* after = vo::activeTable(context, vo::TableKind::postInterpolation);
     const glm::dmat4 textureMatrix(state.textureMatrix);
+    const double unitLength = context.state.unitLength;
     std::vector<std::byte> voxels;
     forEachSample(line, [&](std::size_t i, const PickedBrick& brick) {
         const auto [oneChannel, hasAlpha] = vo::textureAnswer(brick.image().texel, before != nullptr);
@@ -186,7 +187,9 @@ std::vector<std::byte> drawnVoxels(const PickedLine& line)
             color[c] = c < line.layout.colorChannels ? line.record(i)[line.layout.color + c] : 1.0;
         const glm::dvec4 sampled =
             brick.filtered(line.voxel(i), textureMatrix, before ? &before->table : nullptr);
-        const glm::vec4 rgba(vo::fragmentOf(state, after ? &after->table : nullptr, sampled, color));
+        glm::dvec4 fragment = vo::fragmentOf(state, after ? &after->table : nullptr, sampled, color);
+        if (unitLength > 0.0) fragment.a = vo::opacityOver(fragment.a, line.samples.step / unitLength);
+        const glm::vec4 rgba(fragment);
         const std::size_t bytes = vo::voxelBytes(brick.image().format);
         voxels.resize(voxels.size() + bytes);
         vo::encodeVoxels(&rgba[0], 1, brick.image().format, std::span(voxels).last(bytes));

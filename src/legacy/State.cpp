@@ -4,12 +4,16 @@
 
 #include <vo/State.h>
 
+#include "polygonize/line_of_sight.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 using vo::badValue;
 using vo::guarded;
+using vo::required;
 
 namespace {
 
@@ -84,8 +88,29 @@ void voState::setGetProcAddress(GetProcAddress getProcAddress)
 void voState::setUnitLength(double length)
 {
     guarded("voState::setUnitLength", [&] {
-        if (!(length >= 0))
+        if (!(length >= 0) || std::isinf(length))
             badValue("the unit length is " + std::to_string(length) + ", 0 or more is needed");
-        if (length > 0) vo::unsupported("opacity per length is not there yet");
+        vo::requireContext().state.unitLength = length;
     });
+}
+
+void voState::setSampling(voIndexedTetraSet* tetraSet, voBrickSet* brickSet, GLdouble modelMatrix[16],
+                          GLdouble projMatrix[16], voSamplingMode samplingMode, voSamplingSpace samplingSpace,
+                          float samplingPeriod[3], int maxSamplesNumber)
+{
+    guarded("voState::setSampling", [&] {
+        const vo::TetraView tetras = vo::tetraView(required(tetraSet, "tetraSet"));
+        const voBrickSet& set = required(brickSet, "brickSet");
+        const vo::SamplingRequest sampling = vo::samplingRequest(samplingMode, samplingSpace, samplingPeriod,
+                                                                 maxSamplesNumber, set.getOrientation());
+        if (sampling.space == vo::SamplingSpace::primitive)
+            vo::unsupported("opacity per length needs samples of one distance, which PRIMITIVE has not");
+        const vo::Camera camera = vo::cameraOf(modelMatrix, projMatrix);
+        vo::requireContext().state.sampleGauge = vo::sampleGauge(tetras, camera, sampling);
+    });
+}
+
+void voState::resetSampling()
+{
+    guarded("voState::resetSampling", [] { vo::requireContext().state.sampleGauge.reset(); });
 }

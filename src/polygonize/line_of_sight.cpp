@@ -1,6 +1,7 @@
 #include "polygonize/line_of_sight.h"
 
 #include "polygonize/box_lattice.h"
+#include "polygonize/sampling_shells.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -284,6 +285,23 @@ std::optional<LineOfSight> lineOfSight(const glm::dmat4& model, const glm::dmat4
     const bool ends = far.w / near.w > kEndless;
     line.length = ends ? glm::length(glm::dvec3(far) / far.w - line.start) : kInfinity;
     return finite(glm::dvec4(line.start + line.direction, 0.0)) ? std::optional(line) : std::nullopt;
+}
+
+std::optional<glm::dmat3> sampleGauge(const TetraView& tetras, const Camera& camera,
+                                      const SamplingRequest& request)
+{
+    if (request.space == SamplingSpace::primitive) return std::nullopt;
+    glm::dmat3 gauge(0.0);
+    if (request.mode == SamplingMode::spherical && camera.perspective) {
+        const ShellFamily shells = samplingShells(tetras, camera, request);
+        for (int axis = 0; axis < 3; ++axis)
+            gauge[axis][axis] = 1.0 / (shells.scale[axis] * shells.spacing);
+        return shells.count > 0 ? std::optional(gauge) : std::nullopt;
+    }
+    const PlaneFamily planes = samplingPlanes(tetras, camera, request);
+    for (int axis = 0; axis < 3; ++axis) // one row
+        gauge[axis][0] = planes.normal[axis] / planes.spacing;
+    return planes.count > 0 ? std::optional(gauge) : std::nullopt;
 }
 
 LineSamples sampleLine(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,

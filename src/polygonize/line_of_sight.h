@@ -5,6 +5,7 @@
 #include "polygonize/camera.h"
 #include "polygonize/sampling_planes.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
@@ -46,5 +47,11 @@ struct LineSamples
 /// counts as moved aside by less than any number.
 LineSamples sampleLine(const TetraView& tetras, std::span<const Box> clipBoxes, const Camera& camera,
                        const SamplingRequest& request, const LineOfSight& line);
+
+/// How far apart surfaces lie along any line: length(d) / length(gauge * d) along a line of direction d, from
+/// the eye on if they are shells. Nothing for SamplingSpace::primitive, where that differs by tetrahedron,
+/// and where there are no surfaces.
+std::optional<glm::dmat3> sampleGauge(const TetraView& tetras, const Camera& camera,
+                                      const SamplingRequest& request);
 
 } // namespace vo

@@ -4,6 +4,8 @@
 
 #include "expect_error.h"
 
+#include <vo/State.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,6 +46,7 @@ struct PickCase
     double degrees = 0.0;
     bool texCoords = false;
     OffscreenProfile profile = OffscreenProfile::Compatibility;
+    double unitLength = 0.0;
 };
 
 std::ostream& operator<<(std::ostream& stream, const PickCase& c)
@@ -146,6 +149,7 @@ TEST_P(PickGL, picksWhatIsDrawn)
         options.explicitTexCoords = c.texCoords;
         options.dataType = c.type;
         SceneDrawing drawing(*context, scene, options);
+        voState::setUnitLength(c.unitLength);
         drawing.draw();
         const std::vector<float> picture = context->readFloats();
         const Picture reference = referencePicture(scene);
@@ -184,6 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         PickCase{.name = "greyPost", .classification = kPost, .channels = 1},
         PickCase{.name = "greyPre", .classification = kPre, .channels = 1},
         PickCase{.name = "greyAlpha", .classification = kPost, .channels = 2},
+        PickCase{.name = "perLength", .classification = kPost, .degrees = 60, .unitLength = 3},
         PickCase{.name = "bytes", .channels = 1, .type = Type::UNSIGNED_BYTE},
         PickCase{.name = "bytesPost", .classification = kPost, .channels = 1, .type = Type::UNSIGNED_BYTE}),
     [](const auto& test) { return std::string(test.param.name); });
