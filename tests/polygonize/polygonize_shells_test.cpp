@@ -128,7 +128,7 @@ TEST(SamplingShells, periodScalesTheSpaceOfTheShells)
 TEST(SamplingShells, nearPlaneIsMeasuredInTheScaledSpaceToo)
 {
     vo::SamplingRequest wanted = request(vo::SamplingSpace::viewVolume);
-    wanted.period = glm::dvec3(0.5, 2, 1);
+    wanted.period = glm::dvec3(0.5, 3, 1);
     const vo::Camera camera = cameraAt(kOutside);
     const vo::ShellFamily shells = vo::samplingShells(cube(kSize).view(), camera, wanted);
     std::array<glm::dvec3, 3> p;
@@ -300,6 +300,29 @@ TEST(PolygonizeShells, shellsInsideATetrahedronAreWhole)
         const double radius = 0.5 * cut.shells.radius(nearest);
         EXPECT_NEAR(area / (4 * M_PI * radius * radius), 1, 0.05); // flat facets of a tiny shell
     }
+}
+
+TEST(PolygonizeShells, eyeJustInsideATetrahedronSeesItAllRound)
+{
+    // All corners are less than 100 degrees from the y axis, but the eye has the tetrahedron on every side.
+    // The other tetrahedron puts the poles of the shells on that axis.
+    TetraSet set;
+    for (const glm::dvec3& p : {glm::dvec3(0, 10, 0),
+                                {5, -0.5, 0},
+                                {-3, -0.5, 4},
+                                {-3, -0.5, -4},
+                                {200, 0, 0},
+                                {201, 0, 0},
+                                {200, 1, 0},
+                                {200, 0, 1}})
+        set.add(p);
+    set.indices = {0, 1, 2, 3, 4, 5, 6, 7};
+    const vo::Box all{glm::dvec3(-300), glm::dvec3(300)};
+    vo::SamplingRequest wanted = request();
+    wanted.period = glm::dvec3(0.5);
+    const Cut cut(set, {&all, 1}, glm::dvec3(0), wanted);
+    EXPECT_TRUE(openEdges(cut.faces, cut.result.samples - 1).empty());
+    EXPECT_FALSE(openEdges(cut.faces, cut.result.samples - 3).empty());
 }
 
 /// One facet, in the face that the two halves of a box share, or outside.
