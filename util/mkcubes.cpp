@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <new>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
+#include "utility.h"
 #include "volume_io/volume_io.h"
 
 namespace {
@@ -30,35 +25,12 @@ Example: 8 cubes of 128 voxels a side
     mkcubes 256 256 256 128 cubes.tif
 )";
 
-volatile std::sig_atomic_t interrupted = 0;
-
 struct Request
 {
     std::array<std::int64_t, 3> size{};
     std::int64_t cubeSize = 0;
     std::string path = "out.tif";
 };
-
-bool isHelp(const char* argument)
-{
-    return std::strcmp(argument, "-h") == 0 || std::strcmp(argument, "-help") == 0 ||
-           std::strcmp(argument, "--help") == 0;
-}
-
-bool isVersion(const char* argument)
-{
-    return std::strcmp(argument, "-version") == 0 || std::strcmp(argument, "--version") == 0;
-}
-
-vo::Result<std::int64_t> parsedSize(const char* name, const std::string& text)
-{
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= 1 && value <= 0x7fffffff)
-        return value;
-    return vo::Failure{std::string(name) + ": expected a whole number from 1 to 2147483647, found \"" + text +
-                       "\""};
-}
 
 vo::Result<Request> parsedRequest(const std::vector<std::string>& arguments)
 {
@@ -68,7 +40,7 @@ vo::Result<Request> parsedRequest(const std::vector<std::string>& arguments)
     Request request;
     const std::array names{"x", "y", "z", "cubeSize"};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const auto value = parsedSize(names[i], arguments[i]);
+        const auto value = vo::parsedWhole(names[i], arguments[i], 1);
         if (!value) return value.failure();
         (i < 3 ? request.size[i] : request.cubeSize) = *value;
     }
@@ -85,13 +57,6 @@ std::uint8_t intensityAlongAxis(std::int64_t position, std::int64_t cubeSize)
     return static_cast<std::uint8_t>((2 * 255 * (cubeSize - fromCentre) + cubeSize) / (2 * cubeSize));
 }
 
-void showProgress(std::int64_t slice, std::int64_t slices)
-{
-    if (!::isatty(STDERR_FILENO)) return;
-    std::fprintf(stderr, "\rmkcubes: slice %lld of %lld%s", static_cast<long long>(slice),
-                 static_cast<long long>(slices), slice == slices ? "\n" : "");
-}
-
 vo::Result<void> writeCubes(const Request& request)
 {
     auto writer = vo::TiffStackWriter::create(request.path, {request.size, 1, vo::ChannelType::uint8});
@@ -103,45 +68,27 @@ vo::Result<void> writeCubes(const Request& request)
     std::vector<std::uint8_t> row(alongX.size());
     for (std::int64_t z = 0; z < request.size[2]; ++z) {
         for (std::int64_t y = 0; y < request.size[1]; ++y) {
-            if (interrupted) return vo::Failure{request.path + ": interrupted, nothing written"};
+            if (vo::interrupted()) return vo::Failure{request.path + ": interrupted, nothing written"};
             const std::uint8_t most =
                 std::min(intensityAlongAxis(y, request.cubeSize), intensityAlongAxis(z, request.cubeSize));
             std::ranges::transform(alongX, row.begin(),
                                    [most](std::uint8_t along) { return std::min(along, most); });
             if (auto written = writer->appendRows(std::as_bytes(std::span(row))); !written) return written;
         }
-        showProgress(z + 1, request.size[2]);
+        vo::showProgress("mkcubes", "slice", z + 1, request.size[2]);
     }
     return writer->finish();
 }
 
-int fail(const std::string& text)
+vo::Result<void> run(const std::vector<std::string>& arguments)
 {
-    std::fprintf(stderr, "mkcubes: %s\n", text.c_str());
-    return 1;
-}
-
-int print(const char* text)
-{
-    std::fputs(text, stdout);
-    return std::fflush(stdout) == 0 ? 0 : fail("cannot write to standard output");
+    const auto request = parsedRequest(arguments);
+    return request ? writeCubes(*request) : request.failure();
 }
 
 } // namespace
 
 int main(int argc, char** argv)
-try {
-    if (std::any_of(argv + 1, argv + argc, isHelp)) {
-        return print(kHelp);
-    }
-    if (std::any_of(argv + 1, argv + argc, isVersion)) return print("Volumizer " VOLUMIZER_VERSION "\n");
-    // The temporary file is removed on the way out.
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
-    const auto request = parsedRequest({argv + 1, argv + argc});
-    if (!request) return fail(request.failure().text);
-    const auto written = writeCubes(*request);
-    return written ? 0 : fail(written.failure().text);
-} catch (const std::bad_alloc&) {
-    return fail("expected enough memory for two rows of voxels, found less");
+{
+    return vo::runUtility({"mkcubes", kHelp, run}, argc, argv);
 }

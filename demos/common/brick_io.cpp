@@ -84,9 +84,25 @@ OpenVolumes& openVolumes()
     return volumes;
 }
 
-vo::Result<vo::VolumeFile*> openedTiff(const std::string& path)
+/// The open volume of any format; what it has to say about itself is printed when it is opened.
+vo::Result<vo::VolumeFile*> openedVolume(const std::string& path)
 {
-    return openVolumes().find("tiff " + path, path, [&path] { return vo::openVolume(path); });
+    return openVolumes().find("volume " + path, path, [&path] {
+        auto volume = vo::openVolume(path);
+        if (volume)
+            for (const std::string& note : volume->description().notes)
+                std::fprintf(stderr, "%s: %s: %s\n", program_invocation_short_name, path.c_str(),
+                             note.c_str());
+        return volume;
+    });
+}
+
+/// The same for the name that an application gave.
+vo::Result<vo::VolumeFile*> namedVolume(const char* fileName)
+{
+    if (!fileName) return vo::Failure{"expected the name of a volume file, found NULL"};
+    if (!*fileName) return vo::Failure{"expected the name of a volume file, found ''"};
+    return openedVolume(fileName);
 }
 
 voDataType dataTypeOf(vo::ChannelType type)
@@ -125,12 +141,10 @@ int readBrick(const std::string& name, vo::VolumeFile& volume, void* data, const
     return fail(why.find(name) == 0 ? why : name + ": " + why);
 }
 
-int readTiffBrick(const char* fileName, void* data, const vo::Region& region, const Sizes* volumeSize)
+int readVolumeBrick(const char* fileName, void* data, const vo::Region& region, const Sizes* volumeSize)
 {
-    if (!fileName) return fail("expected the name of a volume file, found NULL");
-    if (!*fileName) return fail("expected the name of a volume file, found ''");
     const std::lock_guard guard(openVolumes().lock);
-    const auto volume = openedTiff(fileName);
+    const auto volume = namedVolume(fileName);
     if (!volume) return fail(volume.failure().text);
     const Sizes& found = (*volume)->info().size;
     if (volumeSize && *volumeSize != found)
@@ -186,10 +200,8 @@ int readRawBrick(char** fileNames, void* data, const vo::Region& region, const v
 int myGetVolumeSizesIfl(char* fileName, int& xSize, int& ySize, int& zSize,
                         voExternalFormatType& diskDataFormat, voDataType& dataType)
 {
-    if (!fileName) return fail("expected the name of a volume file, found NULL");
-    if (!*fileName) return fail("expected the name of a volume file, found ''");
     const std::lock_guard guard(openVolumes().lock);
-    const auto volume = openedTiff(fileName);
+    const auto volume = namedVolume(fileName);
     if (!volume) return fail(volume.failure().text);
     const vo::VolumeInfo& info = (*volume)->info();
     xSize = static_cast<int>(info.size[0]);
@@ -200,22 +212,34 @@ int myGetVolumeSizesIfl(char* fileName, int& xSize, int& ySize, int& zSize,
     return 0;
 }
 
+int myGetVolumeSpacing(char* fileName, double& xSpacing, double& ySpacing, double& zSpacing)
+{
+    const std::lock_guard guard(openVolumes().lock);
+    const auto volume = namedVolume(fileName);
+    if (!volume) return fail(volume.failure().text);
+    const std::array<double, 3>& spacing = (*volume)->description().spacing;
+    xSpacing = spacing[0];
+    ySpacing = spacing[1];
+    zSpacing = spacing[2];
+    return 0;
+}
+
 int myReadBrickIfl(char* fileName, void* data, int xBrickOrigin, int yBrickOrigin, int zBrickOrigin,
                    int xBrickSize, int yBrickSize, int zBrickSize, int xVolumeSize, int yVolumeSize,
                    int zVolumeSize)
 {
     const Sizes volumeSize{xVolumeSize, yVolumeSize, zVolumeSize};
-    return readTiffBrick(fileName, data,
-                         {{xBrickOrigin, yBrickOrigin, zBrickOrigin}, {xBrickSize, yBrickSize, zBrickSize}},
-                         &volumeSize);
+    return readVolumeBrick(fileName, data,
+                           {{xBrickOrigin, yBrickOrigin, zBrickOrigin}, {xBrickSize, yBrickSize, zBrickSize}},
+                           &volumeSize);
 }
 
 int myReadBrickIfl(char* fileName, void* data, int xBrickOrigin, int yBrickOrigin, int zBrickOrigin,
                    int xBrickSize, int yBrickSize, int zBrickSize)
 {
-    return readTiffBrick(fileName, data,
-                         {{xBrickOrigin, yBrickOrigin, zBrickOrigin}, {xBrickSize, yBrickSize, zBrickSize}},
-                         nullptr);
+    return readVolumeBrick(fileName, data,
+                           {{xBrickOrigin, yBrickOrigin, zBrickOrigin}, {xBrickSize, yBrickSize, zBrickSize}},
+                           nullptr);
 }
 
 int myReadBrickRaw(char** fileNames, void* data, int xBrickOrigin, int yBrickOrigin, int zBrickOrigin,

@@ -10,10 +10,15 @@
 
 #include <vo/Enums.h>
 
-/// Sizes of a TIFF volume in voxels, the channels of a voxel (1: LUMINANCE, 2: LUMINANCE_ALPHA, 3 or 4: RGBA)
+/// Sizes of a volume in voxels, in any format that volume_io reads (docs/formats.md; a folder stands for the
+/// DICOM series in it), the channels of a voxel (1: LUMINANCE, 2: LUMINANCE_ALPHA, 3 or 4: RGBA)
 /// and the type of a channel. After a failure the references are unchanged.
 int myGetVolumeSizesIfl(char* fileName, int& xSize, int& ySize, int& zSize,
                         voExternalFormatType& diskDataFormat, voDataType& dataType);
+
+/// Distance of the voxels along x, y and z in mm, 1 each where the file does not say. After a failure the
+/// references are unchanged.
+int myGetVolumeSpacing(char* fileName, double& xSpacing, double& ySpacing, double& zSpacing);
 
 /// Reads the brick with this origin and these sizes, in voxels. The volume's sizes are those that
 /// myGetVolumeSizesIfl gave; others are a failure, since then the caller speaks of another file. The files

@@ -70,6 +70,39 @@ TEST_F(BrickIoTest, brickIsReadAndZeroFilled)
     EXPECT_TRUE(same == brick);
 }
 
+TEST_F(BrickIoTest, otherFormatsAndTheirSpacingAreRead)
+{
+    const VolumeTruth truth({{4, 3, 2}, 1, ChannelType::uint8});
+    const auto bytes = truth.whole();
+    path_ = folder_ / "a.nrrd";
+    std::ofstream(path_, std::ios::binary)
+        << "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 4 3 2 2\nspacings: 0.5 1.5 4 nan\n"
+        << "encoding: raw\n\n"
+        << std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size())
+        << std::string(24, 'x');
+    double x = 0, y = 0, z = 0;
+    testing::internal::CaptureStderr();
+    ASSERT_EQ(myGetVolumeSpacing(name(), x, y, z), 0);
+    EXPECT_EQ(x, 0.5);
+    EXPECT_EQ(y, 1.5);
+    EXPECT_EQ(z, 4);
+    std::vector<std::byte> brick(24);
+    ASSERT_EQ(myReadBrickIfl(name(), brick.data(), 0, 0, 0, 4, 3, 2), 0);
+    EXPECT_TRUE(brick == bytes);
+    // What the file says about itself is printed once.
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "brick_io_test: " + path_ + ": the first of 2 volumes is read\n");
+
+    path_ = folder_ / "a.tif";
+    write(truth);
+    ASSERT_EQ(myGetVolumeSpacing(name(), x, y, z), 0);
+    EXPECT_EQ(x, 1);
+    path_ = folder_ / "none";
+    expectFails([&] { return myGetVolumeSpacing(name(), x, y, z); }, {"none: cannot open"});
+    expectFails([&] { return myGetVolumeSpacing(nullptr, x, y, z); }, {"found NULL"});
+    EXPECT_EQ(y, 1);
+}
+
 TEST_F(BrickIoTest, fileReplacedBetweenBricksIsReadAnew)
 {
     write(VolumeTruth({{4, 4, 4}, 1, ChannelType::uint8}));

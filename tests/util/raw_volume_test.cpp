@@ -146,7 +146,8 @@ TEST_F(RawTest, wrongCountsAndSizesFail)
         ASSERT_FALSE(volume);
         expectSays(volume.failure().text, {"slice.0: expected", "found"});
     }
-    EXPECT_FALSE(openRawVolume(paths[0], {{{1, 1, 1}, 3, ChannelType::uint8}}));
+    EXPECT_FALSE(openRawVolume(paths[0], {{{1, 1, 1}, 5, ChannelType::uint8}}));
+    EXPECT_FALSE(openRawVolume(paths[0], {{{1, 1, 1}, 0, ChannelType::uint8}}));
     EXPECT_FALSE(openRawVolume(paths[0], {{{1, 1, 1}, 1, ChannelType::uint8}, -1}));
     EXPECT_FALSE(openRawVolume(paths[0], {{{1, 1, 1}, 1, ChannelType::uint8}, INT64_MAX}));
     EXPECT_FALSE(openRawVolume(folder_ / "none", {{{1, 1, 1}, 1, ChannelType::uint8}}));

@@ -64,6 +64,51 @@ TEST(TiffStack, compressedBrickDecodesOnlyTheStripsItMeets)
     EXPECT_EQ(volume->counters().rows, 8);
 }
 
+TEST(TiffStack, smallBricksDecodeSharedStripsOnce)
+{
+    ScratchFolder folder;
+    const VolumeTruth truth({{100, 90, 20}, 1, ChannelType::uint16}); // 81 rows a strip
+    ASSERT_TRUE(writeTiffStack(folder / "a.tif", truth.info(), truth.whole(), {Compression::deflate}));
+    auto volume = openVolume(folder / "a.tif");
+    ASSERT_TRUE(volume);
+    for (int turn = 0; turn < 2; ++turn)
+        for (std::int64_t z = 0; z < 20; z += 5)
+            for (std::int64_t y = 0; y < 90; y += 30)
+                for (std::int64_t x = 0; x < 100; x += 25) {
+                    const Region region{{x, y, z}, {25, 30, 5}};
+                    ASSERT_TRUE(readBrick(*volume, region) == truth.brick(region));
+                }
+    EXPECT_EQ(volume->counters().rows, 90 * 20);
+}
+
+TEST(TiffStack, decodedStripsAreForgottenInTheEnd)
+{
+    ScratchFolder folder;
+    const VolumeInfo info{{2048, 1024, 80}, 1, ChannelType::uint8}; // 160 MiB
+    {
+        auto writer = TiffStackWriter::create(folder / "a.tif", info, {Compression::deflate});
+        ASSERT_TRUE(writer);
+        std::vector<std::byte> slice(2048 * 1024);
+        for (int z = 0; z < 80; ++z) {
+            slice[0] = std::byte(z);
+            ASSERT_TRUE(writer->appendRows(slice));
+        }
+        ASSERT_TRUE(writer->finish());
+    }
+    auto volume = openVolume(folder / "a.tif");
+    ASSERT_TRUE(volume);
+    const auto decodedFor = [&](std::int64_t z) {
+        const std::int64_t before = volume->counters().rows;
+        const auto bytes = readBrick(*volume, {{0, 0, z}, {2048, 1024, 1}});
+        EXPECT_EQ(bytes[0], std::byte(z));
+        return volume->counters().rows - before;
+    };
+    for (std::int64_t z = 0; z < 80; ++z)
+        EXPECT_EQ(decodedFor(z), 1024);
+    EXPECT_EQ(decodedFor(79), 0);
+    EXPECT_EQ(decodedFor(0), 1024);
+}
+
 TEST(TiffStack, manyBricksOfOneFileMakeTheVolume)
 {
     ScratchFolder folder;

@@ -467,8 +467,9 @@ TEST_F(VolumeFormats, badNrrdHeadersAreTold)
     fails(nrrdHeader(truth_, {}, little) + voxels.substr(1), {"a.nrrd: cut off: expected 120 bytes"});
     fails(nrrdHeader(truth_, {}, "\n") + voxels, {"a.nrrd: expected a NRRD header", "endian"});
     fails(nrrdHeader(truth_, {}, "endian: little\n"), {"a.nrrd: expected an empty line before the voxels"});
-    fails("NRRD0004\ntype: block\nblock size: 3\ndimension: 3\nsizes: 1 1 1\nendian: big\nencoding: raw\n\nabc",
-          {"a.nrrd: expected numbers, found the NRRD type \"block\""});
+    fails(
+        "NRRD0004\ntype: block\nblock size: 3\ndimension: 3\nsizes: 1 1 1\nendian: big\nencoding: raw\n\nabc",
+        {"a.nrrd: expected numbers, found the NRRD type \"block\""});
     fails("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 16384 16384 4096\nencoding: raw\n\nabc",
           {"a.nrrd: cut off: expected 1099511627776 bytes"});
     fails("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 16384 16384 4096\nencoding: gzip\n\nabc",

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <list>
+#include <map>
 
 #include "byte_order.h"
 #include "deflate_check.h"
@@ -51,6 +53,48 @@ private:
     std::array<std::byte, 4> alpha_;
 };
 
+/// Blocks decoded last, so that the bricks of a compressed file decode what they share once.
+class DecodedBlocks
+{
+public:
+    using Bytes = std::vector<std::byte>;
+
+    /// The block of that slice or layer, or null.
+    const Bytes* find(std::int64_t page, std::int64_t index)
+    {
+        const auto known = places_.find({page, index});
+        if (known == places_.end()) return nullptr;
+        blocks_.splice(blocks_.begin(), blocks_, known->second);
+        return &known->second->bytes;
+    }
+
+    /// Keeps a block in place of those that were used longest ago; the block, valid until the next call.
+    const Bytes& keep(std::int64_t page, std::int64_t index, Bytes bytes)
+    {
+        size_ += bytes.size();
+        blocks_.push_front({{page, index}, std::move(bytes)});
+        places_[{page, index}] = blocks_.begin();
+        while (size_ > kMostBytes && blocks_.size() > 1) {
+            size_ -= blocks_.back().bytes.size();
+            places_.erase(blocks_.back().place);
+            blocks_.pop_back();
+        }
+        return blocks_.front().bytes;
+    }
+
+private:
+    static constexpr std::size_t kMostBytes = std::size_t{128} << 20;
+
+    struct Block
+    {
+        std::pair<std::int64_t, std::int64_t> place;
+        Bytes bytes;
+    };
+    std::list<Block> blocks_; // the one used last comes first
+    std::map<std::pair<std::int64_t, std::int64_t>, std::list<Block>::iterator> places_;
+    std::size_t size_ = 0;
+};
+
 /// The part of one layer of blocks that a brick needs. Rows count from the top of the directory's picture.
 struct Slab
 {
@@ -87,6 +131,7 @@ private:
                           int plane, const BrickView& brick);
     Result<void> decodeBlock(const Slab& part, std::int64_t index, std::int64_t across, std::int64_t down,
                              int plane, const BrickView& brick);
+    Result<DecodedBlocks::Bytes> decoded(const Slab& part, std::int64_t index, std::int64_t down);
 
     TiffHandle tiff_;
     std::vector<std::uint64_t> pages_; // where each slice's directory lies; one for SGI's 3D TIFF
@@ -95,7 +140,8 @@ private:
     std::vector<TiffBlock> strips_; // SGI's 3D TIFF in strips only
     bool rowsRunThrough_ = false;   // strips of SGI's 3D TIFF that pass from slice to slice
     std::int64_t announcedPages_ = 0;
-    std::vector<std::byte> encoded_, decoded_;
+    std::vector<std::byte> encoded_, converted_;
+    DecodedBlocks blocks_;
 };
 
 /// Number of slices that the first page promises, or 0: PageNumber's second value, ImageJ's "images=30".
@@ -310,7 +356,7 @@ Result<void> TiffReader::readRows(const Slab& part, const TiffBlock& block, std:
     const bool rowsTouch = copy.plain() && count == layout_.blockWidth && count == brick.width();
     const std::int64_t rowsAtOnce = rowsTouch ? part.row1 - part.row0 : 1;
     const std::int64_t bytes = rowsAtOnce * count * layout_.pixelBytes();
-    if (!copy.plain()) decoded_.resize(static_cast<std::size_t>(bytes));
+    if (!copy.plain()) converted_.resize(static_cast<std::size_t>(bytes));
 
     for (std::int64_t z = part.z0; z < part.z1; ++z)
         for (std::int64_t row = part.row0; row < part.row1; row += rowsAtOnce) {
@@ -318,7 +364,7 @@ Result<void> TiffReader::readRows(const Slab& part, const TiffBlock& block, std:
                 (z - part.firstSlice) * layout_.blockHeight + row - down * layout_.blockHeight;
             const std::int64_t column = part.x0 - across * layout_.blockWidth;
             std::byte* voxels = brick.voxel(part.x0, row - part.rowOfY0, z);
-            const std::span<std::byte> pixels(copy.plain() ? voxels : decoded_.data(),
+            const std::span<std::byte> pixels(copy.plain() ? voxels : converted_.data(),
                                               static_cast<std::size_t>(bytes));
             const std::int64_t offset =
                 block.offset + rowInBlock * layout_.blockRowBytes() + column * layout_.pixelBytes();
@@ -334,11 +380,32 @@ Result<void> TiffReader::readRows(const Slab& part, const TiffBlock& block, std:
 Result<void> TiffReader::decodeBlock(const Slab& part, std::int64_t index, std::int64_t across,
                                      std::int64_t down, int plane, const BrickView& brick)
 {
+    const DecodedBlocks::Bytes* decoded = blocks_.find(loadedPage_, index);
+    if (!decoded) {
+        auto fresh = this->decoded(part, index, down);
+        if (!fresh) return fresh.failure();
+        decoded = &blocks_.keep(loadedPage_, index, std::move(*fresh));
+    }
+    const PixelCopy copy(layout_, info_.channels);
+    for (std::int64_t z = part.z0; z < part.z1; ++z)
+        for (std::int64_t row = part.row0; row < part.row1; ++row) {
+            const std::int64_t rowInBlock =
+                (z - part.firstSlice) * layout_.blockHeight + row - down * layout_.blockHeight;
+            const std::int64_t column = part.x0 - across * layout_.blockWidth;
+            copy(decoded->data() + rowInBlock * layout_.blockRowBytes() + column * layout_.pixelBytes(),
+                 part.x1 - part.x0, plane, brick.voxel(part.x0, row - part.rowOfY0, z));
+        }
+    return {};
+}
+
+/// Reads and decodes a block.
+Result<DecodedBlocks::Bytes> TiffReader::decoded(const Slab& part, std::int64_t index, std::int64_t down)
+{
     const TiffBlock source = block(index);
     const std::int64_t rows = layout_.rowsInBlock(down) * layout_.blockDepth;
     encoded_.resize(static_cast<std::size_t>(source.bytes));
-    decoded_.resize(static_cast<std::size_t>(rows * layout_.blockRowBytes()));
-    if (auto read = tiff_.file().readAt(source.offset, encoded_); !read) return read;
+    DecodedBlocks::Bytes bytes(static_cast<std::size_t>(rows * layout_.blockRowBytes()));
+    if (auto read = tiff_.file().readAt(source.offset, encoded_); !read) return read.failure();
 
     // libtiff knows the strips of the first slice alone. All it takes from the number is how many rows to
     // expect.
@@ -347,28 +414,17 @@ Result<void> TiffReader::decodeBlock(const Slab& part, std::int64_t index, std::
     tiff_.takeComplaint();
     const int good =
         TIFFReadFromUserBuffer(tiff_.get(), number, encoded_.data(), static_cast<tmsize_t>(encoded_.size()),
-                               decoded_.data(), static_cast<tmsize_t>(decoded_.size()));
+                               bytes.data(), static_cast<tmsize_t>(bytes.size()));
     if (layout_.reversedBits)
         TIFFReverseBits(reinterpret_cast<std::uint8_t*>(encoded_.data()),
                         static_cast<tmsize_t>(encoded_.size()));
-    const bool sound =
-        !layout_.deflated || isSoundDeflate(encoded_, static_cast<std::int64_t>(decoded_.size()));
+    const bool sound = !layout_.deflated || isSoundDeflate(encoded_, static_cast<std::int64_t>(bytes.size()));
     if (!good || !sound || tiff_.sawError())
         return Failure{where(part.z0) + ": damaged: cannot decode " + (layout_.tiled ? "tile " : "strip ") +
                        std::to_string(index) + tiff_.takeComplaint()};
     counters_.rows += rows;
     counters_.bytes += source.bytes;
-
-    const PixelCopy copy(layout_, info_.channels);
-    for (std::int64_t z = part.z0; z < part.z1; ++z)
-        for (std::int64_t row = part.row0; row < part.row1; ++row) {
-            const std::int64_t rowInBlock =
-                (z - part.firstSlice) * layout_.blockHeight + row - down * layout_.blockHeight;
-            const std::int64_t column = part.x0 - across * layout_.blockWidth;
-            copy(decoded_.data() + rowInBlock * layout_.blockRowBytes() + column * layout_.pixelBytes(),
-                 part.x1 - part.x0, plane, brick.voxel(part.x0, row - part.rowOfY0, z));
-        }
-    return {};
+    return bytes;
 }
 
 } // namespace

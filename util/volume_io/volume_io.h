@@ -137,7 +137,8 @@ enum class ByteOrder { littleEndian, bigEndian };
 /// The order of the machine this runs on.
 ByteOrder nativeByteOrder();
 
-/// Layout of voxels without a format of their own.
+/// Layout of voxels without a format of their own. Here `info` may have three channels; they arrive as RGBA
+/// with full alpha.
 struct RawLayout
 {
     VolumeInfo info;

@@ -1,0 +1,95 @@
+#include "utility.h"
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <unistd.h>
+
+namespace vo {
+namespace {
+
+volatile std::sig_atomic_t interruptedFlag = 0;
+
+bool isOneOf(const char* argument, std::initializer_list<const char*> words)
+{
+    return std::ranges::any_of(words, [&](const char* word) { return std::strcmp(argument, word) == 0; });
+}
+
+bool isHelp(const char* argument)
+{
+    return isOneOf(argument, {"-h", "-help", "--help"});
+}
+
+bool isVersion(const char* argument)
+{
+    return isOneOf(argument, {"-version", "--version"});
+}
+
+int fail(const Utility& utility, const std::string& text)
+{
+    warn(utility.name, text);
+    return 1;
+}
+
+/// Writes out what is left of standard output.
+int flushed(const Utility& utility)
+{
+    return std::fflush(stdout) == 0 && !std::ferror(stdout)
+               ? 0
+               : fail(utility, "cannot write to standard output");
+}
+
+int print(const Utility& utility, const char* text)
+{
+    std::fputs(text, stdout);
+    return flushed(utility);
+}
+
+} // namespace
+
+int runUtility(const Utility& utility, int argc, char** argv)
+try {
+    if (std::any_of(argv + 1, argv + argc, isHelp)) return print(utility, utility.help);
+    if (std::any_of(argv + 1, argv + argc, isVersion))
+        return print(utility, "Volumizer " VOLUMIZER_VERSION "\n");
+    std::signal(SIGINT, [](int) { interruptedFlag = 1; });
+    std::signal(SIGTERM, [](int) { interruptedFlag = 1; });
+    const auto done = utility.run({argv + 1, argv + argc});
+    if (!done) std::fflush(stdout);
+    return done ? flushed(utility) : fail(utility, done.failure().text);
+} catch (const std::bad_alloc&) {
+    return fail(utility, "expected enough memory for some rows of voxels, found less");
+}
+
+bool interrupted()
+{
+    return interruptedFlag != 0;
+}
+
+void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all)
+{
+    if (!::isatty(STDERR_FILENO)) return;
+    std::fprintf(stderr, "\r%s: %s %lld of %lld%s", program, what, static_cast<long long>(done),
+                 static_cast<long long>(all), done == all ? "\n" : "");
+}
+
+void warn(const char* program, const std::string& text)
+{
+    std::fprintf(stderr, "%s: %s\n", program, text.c_str());
+}
+
+Result<std::int64_t> parsedWhole(const std::string& name, const std::string& text, std::int64_t least,
+                                 std::int64_t most)
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= least && value <= most)
+        return value;
+    return Failure{name + ": expected a whole number from " + std::to_string(least) + " to " +
+                   std::to_string(most) + ", found \"" + text + "\""};
+}
+
+} // namespace vo

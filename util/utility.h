@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "volume_io/result.h"
+
+/// What the programs of this folder share: how they are called, interrupted and how they say what is wrong.
+namespace vo {
+
+struct Utility
+{
+    const char* name;
+    const char* help; // what -help prints
+    /// Does the work with the words after the program's name; a failure becomes the program's one line.
+    Result<void> (*run)(const std::vector<std::string>& arguments);
+};
+
+/// The whole main program: -h, -help, -version, then run(). 0, or 1 after one line on standard error.
+int runUtility(const Utility& utility, int argc, char** argv);
+
+/// Whether SIGINT or SIGTERM came. Who writes a file looks now and then and gives up, so that the unfinished
+/// file is removed.
+bool interrupted();
+
+/// Prints how far the work is, on a terminal only.
+void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all);
+
+/// Prints a line on standard error, with the program's name in front.
+void warn(const char* program, const std::string& text);
+
+/// A whole number from `least` to `most`; `name` begins the message.
+Result<std::int64_t> parsedWhole(const std::string& name, const std::string& text, std::int64_t least,
+                                 std::int64_t most = 0x7fffffff);
+
+} // namespace vo
