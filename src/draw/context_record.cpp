@@ -154,6 +154,11 @@ ContextRecord* currentContext()
     return record;
 }
 
+void waitForOpenGl(const ContextRecord& context)
+{
+    context.gl.Finish();
+}
+
 void forgetTexture(std::uint64_t textureId)
 {
     Registry& all = registry();

@@ -136,6 +136,9 @@ const TableSlot* activeTable(const ContextRecord& context, TableKind kind);
 /// usable().
 ContextRecord* currentContext();
 
+/// Waits until OpenGL has done all that it was asked for.
+void waitForOpenGl(const ContextRecord& context);
+
 /// Deletes the texture objects of `textureId` in every context: now where it is current, else when it is
 /// next.
 void forgetTexture(std::uint64_t textureId);

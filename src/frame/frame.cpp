@@ -38,7 +38,7 @@ public:
     /// Waits for OpenGL.
     void finish() const
     {
-        if (times_) context_.gl.Finish();
+        if (times_) waitForOpenGl(context_);
     }
 
 private:
