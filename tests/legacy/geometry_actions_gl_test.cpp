@@ -163,7 +163,7 @@ TEST_F(GeometryActionsGL, shellsAreMadeAnewWhereTheEyeMoves)
     EXPECT_TRUE(isNew(0, 10, 0));
     EXPECT_FALSE(isNew(0, 10, 0));
     EXPECT_TRUE(isNew(0.1, 10, 0));
-    cache.setThreshold(5);                           // tan(5 degrees) * 10 = 0.87
+    cache.setThreshold(5); // tan(5 degrees) * 10 = 0.87
     EXPECT_FALSE(isNew(0, 10, 0));
     EXPECT_TRUE(isNew(1, 10, 0));
     EXPECT_FALSE(isNew(1, 10.8, 0));
