@@ -395,6 +395,21 @@ TEST_F(VolumeFormats, everyAxisOrderOfNrrdArrivesAsRightFrontUp)
         }
 }
 
+TEST_F(VolumeFormats, nrrdUnitsBecomeMillimetres)
+{
+    const std::string voxels = voxelsInFile(truth_, {}, false), little = "endian: little\n";
+    const auto about = description(file(
+        "a.nrrd", nrrdHeader(truth_, {},
+                             little + "space: right-anterior-superior\nspace directions: (2,0,0) (0,3,0) "
+                                      "(0,0,4)\nspace units: \"um\" \"um\" \"um\"\n\n") +
+                      voxels));
+    EXPECT_NEAR(about.spacing[2], 0.004, 1e-12);
+    const auto plain = description(
+        file("b.nrrd",
+             nrrdHeader(truth_, {}, little + "spacings: 2 3 4\nunits: \"mm\" \"cm\" \"m\"\n\n") + voxels));
+    EXPECT_EQ(plain.spacing, (std::array<double, 3>{2, 30, 4000}));
+}
+
 TEST_F(VolumeFormats, nrrdChannelsLeadOrEnd)
 {
     const VolumeTruth colour({{5, 4, 3}, 4, ChannelType::uint8});

@@ -274,6 +274,9 @@ Result<void> readCompressedPixels(const DicomSlice& slice, std::span<std::byte> 
         return tooFewPixels(slice, out.size(), image.GetBufferLength());
     if (!image.GetBuffer(reinterpret_cast<char*>(out.data())))
         return Failure{slice.path + ": damaged: GDCM cannot decompress the pixels"};
+    if (slice.channels > 1 && image.GetPhotometricInterpretation() != gdcm::PhotometricInterpretation::RGB)
+        return Failure{slice.path + ": expected colours that decompress to RGB, found \"" +
+                       printable(image.GetPhotometricInterpretation().GetString()) + "\""};
     if (slice.channels > 1 && image.GetPlanarConfiguration() == 1) interleave(slice, out);
     return {};
 }

@@ -165,6 +165,16 @@ Placement placementOf(const DicomSlice& slice, const std::optional<Vector3>& sli
     return placementOfSteps(steps).value_or(unturned);
 }
 
+/// Of one file, whose frames follow each other along the normal.
+Placement placementOfFile(const DicomSlice& slice)
+{
+    if (!slice.directions) return placementOf(slice, std::nullopt);
+    Vector3 step = cross((*slice.directions)[0], (*slice.directions)[1]);
+    for (double& part : step)
+        part *= slice.sliceSpacing > 0 ? slice.sliceSpacing : 1;
+    return placementOf(slice, step);
+}
+
 /// Where slices have scales of their own, so that a voxel means nothing without: applies them.
 Result<void> applyScales(const std::string& path, const Slices& slices, StoredLayout& layout,
                          MemoryBlock& block)
@@ -238,14 +248,7 @@ Result<VolumeFile> openDicomFile(const std::string& path)
     const DicomHeader slice = readDicomHeaders({path}).front();
     if (!slice) return slice.failure();
     if (!*slice) return Failure{path + ": expected a DICOM file with a picture, found none"};
-    VolumeDescription about;
-    std::optional<Vector3> step;
-    if ((*slice)->directions) {
-        const Vector3 normal = cross((*(*slice)->directions)[0], (*(*slice)->directions)[1]);
-        const double distance = (*slice)->sliceSpacing > 0 ? (*slice)->sliceSpacing : 1;
-        step = Vector3{normal[0] * distance, normal[1] * distance, normal[2] * distance};
-    }
-    return openSlices(path, {**slice}, placementOf(**slice, step), std::move(about));
+    return openSlices(path, {**slice}, placementOfFile(**slice), VolumeDescription());
 }
 
 Result<VolumeFile> openDicomFolder(const std::string& path)
@@ -255,11 +258,12 @@ Result<VolumeFile> openDicomFolder(const std::string& path)
     if (!groups) return groups.failure();
     Slices slices = largest(std::move(*groups), about);
     // A file of many frames is a volume of its own.
-    if (slices.size() > 1 && std::ranges::any_of(slices, [](const DicomSlice& s) { return s.frames > 1; }))
+    const bool hasFrames = std::ranges::any_of(slices, [](const DicomSlice& s) { return s.frames > 1; });
+    if (slices.size() > 1 && hasFrames)
         return Failure{path + ": expected slices of one frame, found " + std::to_string(slices.size()) +
                        " files of several; open one of them"};
-    const auto step = slices[0].frames > 1 ? std::nullopt : sortSlices(slices, about);
-    if (slices[0].frames > 1) return openDicomFile(slices[0].path);
+    if (hasFrames) return openSlices(path, slices, placementOfFile(slices[0]), std::move(about));
+    const auto step = sortSlices(slices, about);
     const Placement placement = placementOf(slices[0], step);
     return openSlices(path, slices, placement, std::move(about));
 }

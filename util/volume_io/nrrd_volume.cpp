@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <teem/nrrd.h>
 
 #include "data_files.h"
@@ -192,6 +193,16 @@ Result<Axes> axesOf(const std::string& path, const Nrrd& nrrd)
     return axes;
 }
 
+/// Millimetres in a unit of length; 1 for one that is unknown or not there.
+double millimetresIn(const char* unit)
+{
+    const std::pair<const char*, double> units[] = {{"nm", 1e-6},      {"um", 1e-3}, {"micron", 1e-3},
+                                                    {"microns", 1e-3}, {"cm", 10},   {"m", 1e3}};
+    for (const auto& [name, millimetres] : units)
+        if (unit && std::string_view(unit) == name) return millimetres;
+    return 1;
+}
+
 Placement placementOf(const Nrrd& nrrd, const Axes& axes)
 {
     const bool isPatient = nrrd.space == nrrdSpaceRightAnteriorSuperior ||
@@ -205,12 +216,15 @@ Placement placementOf(const Nrrd& nrrd, const Axes& axes)
         const double* direction = axis.spaceDirection;
         const double length = nrrd.spaceDim == 2 ? std::hypot(direction[0], direction[1])
                                                  : std::hypot(direction[0], direction[1], direction[2]);
-        spacing[i] = std::isfinite(length) ? length : std::abs(axis.spacing);
+        spacing[i] = std::isfinite(length) ? length * millimetresIn(nrrd.spaceUnits[0])
+                                           : std::abs(axis.spacing) * millimetresIn(axis.units);
         hasSpacing = hasSpacing || std::isfinite(spacing[i]);
         if (!std::isfinite(spacing[i])) spacing[i] = 1;
         const bool xLeft = nrrd.space != nrrdSpaceRightAnteriorSuperior;
         const bool yBack = nrrd.space == nrrdSpaceLeftPosteriorSuperior;
         steps[i] = {xLeft ? -direction[0] : direction[0], yBack ? -direction[1] : direction[1], direction[2]};
+        for (double& part : steps[i])
+            part *= millimetresIn(nrrd.spaceUnits[0]);
     }
     if (isPatient && axes.space.size() == 3)
         if (const auto found = placementOfSteps(steps)) return *found;
