@@ -108,8 +108,8 @@ void VoglPolygons::polygonize()
 {
     GLdouble modelMatrix[16], projMatrix[16];
     vo::getMatrices(modelMatrix, projMatrix);
-    const float period = float(options.sampling);
-    float samplingPeriod[3] = {period / modelScale[0], period / modelScale[1], period / modelScale[2]};
+    float samplingPeriod[3];
+    voglSamplingPeriod(samplingPeriod);
     polygonizeTimer.start();
     voGeometryActions::polygonize(
         tetraSet_, bricks_->getCurrentBrickSet(), format_, modelMatrix, projMatrix,
@@ -167,6 +167,12 @@ void VoglPolygons::draw()
     drawByBricks(aSortAction);
 }
 
+void voglSamplingPeriod(float samplingPeriod[3])
+{
+    for (int i = 0; i < 3; i++)
+        samplingPeriod[i] = float(options.sampling) / modelScale[i];
+}
+
 void voglChooseStack(voBrickSetCollection* bricks)
 {
     if (!is2D(bricks)) return;
@@ -188,10 +194,8 @@ void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
     voGeometryActions::draw(bricks->getCurrentBrickSet());
 }
 
-void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format)
+void voglBeginBlending()
 {
-    voAppearanceActions::textureEnable(bricks->getInterpolationType());
-    if (!hasTextureComponent(format)) voAppearanceActions::texgenEnable();
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl->BlendEquation(options.mip ? GL_MAX : GL_FUNC_ADD);
@@ -200,12 +204,25 @@ void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format
     vo::setColor(1, 1, 1, 1);
 }
 
+void voglEndBlending()
+{
+    gl->Disable(GL_BLEND);
+    gl->DepthMask(GL_TRUE);
+    gl->BlendEquation(GL_FUNC_ADD);
+}
+
+void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format)
+{
+    voAppearanceActions::textureEnable(bricks->getInterpolationType());
+    if (!hasTextureComponent(format)) voAppearanceActions::texgenEnable();
+    voglBeginBlending();
+}
+
 void voglEndSlices(voBrickSetCollection* bricks)
 {
     voAppearanceActions::textureDisable(bricks->getInterpolationType());
     voAppearanceActions::texgenDisable();
-    gl->DepthMask(GL_TRUE);
-    gl->BlendEquation(GL_FUNC_ADD);
+    voglEndBlending();
 }
 
 void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons)

@@ -44,6 +44,9 @@ private:
     voIndexedFaceSet*** sets_ = nullptr;
 };
 
+/** The distance of the sampling planes along each axis, in voxels. */
+void voglSamplingPeriod(float samplingPeriod[3]);
+
 /** With 2D textures: makes the stack current whose slices the viewer sees least obliquely. */
 void voglChooseStack(voBrickSetCollection* bricks);
 
@@ -51,8 +54,14 @@ void voglChooseStack(voBrickSetCollection* bricks);
 void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
                       voInterleavedArrayType format);
 
+/** Sets how slices are blended: over what is there, or the maximum with -mip; filled, white, and without
+   writing depths. */
+void voglBeginBlending();
+/** Takes it back. */
+void voglEndBlending();
+
 /** Sets what slices are drawn with: textures, texture coordinates (from positions, for formats that have none
-   of their own), blending (over, or the maximum with -mip), filled polygons, no depth writes, white. */
+   of their own), and blending. */
 void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format);
 /** Takes it back. */
 void voglEndSlices(voBrickSetCollection* bricks);

@@ -43,6 +43,11 @@ GrowByRow rowFunction(voDataType type)
 
 } // namespace
 
+void growRange(ValueRange& range, voDataType type, const void* values, std::size_t first, std::size_t count)
+{
+    if (const GrowByRow growByRow = rowFunction(type)) growByRow(range, values, first, count);
+}
+
 void growRange(ValueRange& range, const voBrick& brick, int xVolumeSize, int yVolumeSize, int zVolumeSize)
 {
     const GrowByRow growByRow = rowFunction(brick.getDataType());

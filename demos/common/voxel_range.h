@@ -18,6 +18,9 @@ struct ValueRange
 /// that are no numbers are passed over.
 void growRange(ValueRange& range, const voBrick& brick, int xVolumeSize, int yVolumeSize, int zVolumeSize);
 
+/// Widens the range by `count` values of a type that lie from number `first` on.
+void growRange(ValueRange& range, voDataType type, const void* values, std::size_t first, std::size_t count);
+
 /// All values of a type; of floats 0 to 1.
 ValueRange fullRange(voDataType type);
 
