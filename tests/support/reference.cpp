@@ -397,7 +397,8 @@ class Renderer
 {
 public:
     explicit Renderer(const Scene& scene)
-        : scene_(scene), screen_(scene), sampler_(scene), region_(solidOf(visibleRegion(scene)))
+        : scene_(scene), screen_(scene), sampler_(scene),
+          region_(scene.sampleAt ? Solid{} : solidOf(visibleRegion(scene)))
     {
         if (scene.planes == SamplingPlanes::spherical)
             shells_ = referenceShells(scene);
@@ -425,11 +426,7 @@ public:
             glm::dvec3 point = ray.start + place * along;
             if (axis_ >= 0)
                 point[axis_] = offset / planes_.normal[axis_]; // or rounding decides between slices
-            if (!isDrawn(point)) continue;
-            Rgba fragment = sampler_(point);
-            for (std::size_t c = 0; c < 4; ++c)
-                fragment[c] *= scene_.color[c];
-            pixel.add(fragment);
+            if (const std::optional<Rgba> fragment = fragmentAt(point)) pixel.add(*fragment);
         }
         return pixel.value();
     }
@@ -477,13 +474,23 @@ private:
         Pixel pixel(scene_);
         for (const double radius : shells_.radii) {
             const std::optional<glm::dvec3> point = onShell(ray, radius);
-            if (!point || !isDrawn(*point)) continue;
-            Rgba fragment = sampler_(*point);
-            for (std::size_t c = 0; c < 4; ++c)
-                fragment[c] *= scene_.color[c];
-            pixel.add(fragment);
+            if (!point) continue;
+            if (const std::optional<Rgba> fragment = fragmentAt(*point)) pixel.add(*fragment);
         }
         return pixel.value();
+    }
+
+    /// Nothing where nothing is drawn.
+    std::optional<Rgba> fragmentAt(const glm::dvec3& point) const
+    {
+        std::optional<Rgba> fragment;
+        if (scene_.sampleAt)
+            fragment = scene_.sampleAt(point);
+        else if (isDrawn(point))
+            fragment = sampler_(point);
+        for (std::size_t c = 0; fragment && c < 4; ++c)
+            (*fragment)[c] *= scene_.color[c];
+        return fragment;
     }
 
     bool isDrawn(const glm::dvec3& point) const
@@ -606,7 +613,10 @@ std::vector<std::uint8_t> maskOf(const Scene& scene, const Renderer& renderer)
     }
     Mask mask(scene.width, scene.height);
     const glm::dvec3 centre = 0.5 * volumeExtent(scene);
-    const double reach = 2.0 * glm::length(centre) + 1.0;
+    double reach = glm::length(centre);
+    for (const glm::dvec3& corner : geometryCorners(scene))
+        reach = std::max(reach, glm::length(corner - centre));
+    reach = 2.0 * reach + 1.0;
     const std::vector<Solid> whole{Solid{}};
     for (const double offset : renderer.planes().offsets) {
         const auto square = squareInPlane(renderer.planes().normal, offset, centre, reach);

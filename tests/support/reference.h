@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -56,6 +57,10 @@ struct Scene
 
     Compositing compositing = Compositing::over;
     std::array<double, 3> background{0.0, 0.0, 0.0};
+
+    /// What shows at a point of space, in place of the volume there; nothing where nothing is drawn. The
+    /// planes stay those of the geometry, and `volume` gives no more than the size of the scene.
+    std::function<std::optional<std::array<double, 4>>(const glm::dvec3&)> sampleAt;
 };
 
 /// Rows from the bottom, four numbers a pixel: the red, green and blue that a float target would hold, and an
