@@ -99,6 +99,18 @@ int channel(const Picture& picture, int x, int y, int which)
     return picture.bytes[std::size_t((y * picture.width + x) * picture.channels + which)];
 }
 
+std::vector<float> pixelsOf(const Picture& picture)
+{
+    std::vector<float> pixels;
+    for (int y = picture.height - 1; y >= 0; --y)
+        for (int x = 0; x < picture.width; ++x) {
+            for (int c = 0; c < 3; ++c)
+                pixels.push_back(float(channel(picture, x, y, c)) / 255);
+            pixels.push_back(1);
+        }
+    return pixels;
+}
+
 PictureDifference difference(const Picture& a, const Picture& b)
 {
     PictureDifference result;

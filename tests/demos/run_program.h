@@ -55,6 +55,9 @@ std::string readFile(const std::filesystem::path& path);
 /// Red, green or blue of a pixel, y from the top.
 int channel(const Picture& picture, int x, int y, int which);
 
+/// Four floats a pixel, rows from the bottom, as OpenGL delivers them.
+std::vector<float> pixelsOf(const Picture& picture);
+
 /// The largest difference of a channel, and how many pixels differ by more than 1.
 struct PictureDifference
 {
