@@ -234,11 +234,16 @@ def table(groups):
     """The text of docs/contract.md."""
     lines = [HEADING]
     for group in groups:
-        lines += [f"## {group.title}", "", "| row | name | what it demands | compiled in | behaves | checked by |",
+        lines += [f"## {marked(group.title)}", "", "| row | name | what it demands | compiled in | behaves | checked by |",
                   "|---|---|---|---|---|---|"]
         lines += ["| " + " | ".join(cells(row)) + " |" for row in group.rows]
         lines.append("")
     return "\n".join(lines).rstrip() + "\n"
+
+
+def marked(text):
+    """Headers in angle brackets as code, or they pass for HTML."""
+    return re.sub(r"<[^<>]+>", r"`\g<0>`", text)
 
 
 def cells(row):
@@ -249,7 +254,7 @@ def cells(row):
         by_program.setdefault(program, []).append(case)
     checks = "; ".join(f"{program}: {', '.join(names)}" for program, names in by_program.items())
     name = f"`{row.name}`" if re.search(r"[<_]|[a-z][A-Z]", row.name) else row.name
-    return [row.number, name, row.demand, f"`{compiled}`" if compiled else "", "later" if row.later else "yes", checks]
+    return [row.number, name, marked(row.demand), f"`{compiled}`" if compiled else "", "later" if row.later else "yes", checks]
 
 
 def text_of(path):

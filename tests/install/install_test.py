@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Installs a build into a new folder and builds the README's program against it the three ways that the README names:
 find_package, pkg-config and plain -lvo. One of them then runs in a window of a private display, and must show a ring.
+A program in the dialect of 2000 is built by the line that docs/porting.md prints, and by pkg-config, and reads a volume.
 
     install_test.py BUILD COMPILER [COMPILER-FLAG...]
 """
 
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -14,7 +16,9 @@ import tempfile
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
 PROGRAM = os.path.join(HERE, "smallest.cpp")
+OLD_PROGRAM = os.path.join(HERE, "program_of_2000.cxx")
 SIZE = 512  # of the program's window
 
 
@@ -25,7 +29,8 @@ def run(*command, **options):
 
 def install(build, prefix):
     run("cmake", "--install", build, "--prefix", prefix, stdout=subprocess.DEVNULL)
-    for path in ("bin/mkcubes", "include/vo/Volumizer.h", "share/volumizer/tables", "share/man/man1"):
+    for path in ("bin/mkcubes", "include/vo/Volumizer.h", "include/vo/CompatNames.h",
+                 "include/vo/compat/iostream.h", "include/vo/compat/ifl/iflFile.h", "share/volumizer/tables", "share/man/man1"):
         if not os.path.exists(os.path.join(prefix, path)):
             raise AssertionError(f"{path} was not installed")
     run(os.path.join(prefix, "bin/mkcubes"), "8", "8", "8", "4", os.path.join(prefix, "cubes.tif"))
@@ -48,6 +53,41 @@ def by_pkg_config(prefix, folder, compiler, flags):
 def by_hand(prefix, folder, compiler, flags):
     run(compiler, *flags, PROGRAM, "-o", os.path.join(folder, "smallest"), f"-I{prefix}/include",
         f"-L{library_folder(prefix)}", "-lvo", "-lglfw", "-lGL")
+
+
+def lines_of_the_porting_page():
+    """The compiler lines of docs/porting.md: in the first block, and with pkg-config in the text below."""
+    with open(os.path.join(ROOT, "docs", "porting.md"), encoding="utf-8") as file:
+        text = file.read()
+    by_hand = re.search(r"^```sh\n(.*?)^```", text, re.M | re.S).group(1)
+    by_pkg_config = re.search(r"With pkg-config: `([^`]+)`", text).group(1)
+    return by_hand.replace("\\\n", " "), by_pkg_config.replace("\n", " ")
+
+
+def old_program_reads_a_volume(prefix, folder, compiler, flags):
+    """Voxels x + 10 y + 40 z of 6 x 5 x 4, in two bricks of 4 x 5 x 4 that share x = 3 and leave the volume."""
+    sys.path.insert(0, os.path.join(ROOT, "scripts"))
+    from page_stack import write_page_stack
+    voxels = [x + 10 * y + 40 * z for z in range(4) for y in range(5) for x in range(6)]
+    write_page_stack(os.path.join(folder, "volume.tif"), bytes(voxels), (6, 5, 4), 1)
+    shutil.copy(OLD_PROGRAM, os.path.join(folder, "program.cxx"))
+    environment = {**os.environ, "PKG_CONFIG_PATH": os.path.join(library_folder(prefix), "pkgconfig"),
+                   "LD_LIBRARY_PATH": library_folder(prefix)}
+    total = sum(voxels) + sum(3 + 10 * y + 40 * z for z in range(4) for y in range(5))
+    for line in lines_of_the_porting_page():
+        program = os.path.join(folder, "program")
+        if os.path.exists(program):
+            os.remove(program)
+        line = line.replace("WHERE", prefix).replace("c++", " ".join([compiler, *flags]), 1)
+        run("sh", "-c", line, cwd=folder, env=environment)
+        loads_the_installed_library(program, prefix)
+        printed = run(program, "volume.tif", cwd=folder, env=environment, stdout=subprocess.PIPE).stdout
+        expected = f"voxels 6 x 5 x 4, sum in bricks {total}\n  4 slices, "
+        if not printed.startswith(expected):
+            raise AssertionError(f"expected {expected!r}, the program of 2000 printed {printed!r}")
+        failed = subprocess.run([program, "absent.tif"], cwd=folder, env=environment, capture_output=True, text=True)
+        if failed.returncode != 1 or failed.stderr != "program_of_2000: cannot read absent.tif\n":
+            raise AssertionError(f"absent.tif: {failed}")
 
 
 def library_folder(prefix):
@@ -119,6 +159,9 @@ def main():
             way(prefix, place, compiler, flags)
             programs.append(os.path.join(place, "smallest"))
             loads_the_installed_library(programs[-1], prefix)
+        place = os.path.join(folder, "old")
+        os.mkdir(place)
+        old_program_reads_a_volume(prefix, place, compiler, flags)
         if shutil.which("Xvfb"):
             shows_a_ring(programs[-1], prefix, folder)
         else:
