@@ -8,7 +8,9 @@
 #include "sort/brick_order.h"
 
 #include <chrono>
+#include <algorithm>
 #include <string>
+#include <vector>
 #include <utility>
 
 namespace vo {
@@ -107,16 +109,28 @@ FrameResult toFrameResult(TextureResult result)
     return FrameResult::ok;
 }
 
+/// The runs of the cache from back to front.
+std::vector<PolygonCache::Run> backToFrontRuns(const PolygonCache& cache, std::span<const Box> boxes,
+                                               const Camera& camera)
+{
+    std::vector<PolygonCache::Run> runs(cache.runs().begin(), cache.runs().end());
+    if (cache.bricksInterleave()) return runs;
+    const std::vector<int> order = backToFront(boxes, camera);
+    std::vector<int> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    std::ranges::sort(
+        runs, {}, [&](const PolygonCache::Run& run) { return place[static_cast<std::size_t>(run.brick)]; });
+    return runs;
+}
+
 FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const PolygonCache& cache,
-                       std::span<const int> order, DrawState state, PhaseClock& clock)
+                       std::span<const PolygonCache::Run> runs, DrawState state, PhaseClock& clock)
 {
     const glm::mat4 callerTextureMatrix = state.textureMatrix;
     FaceStream stream(context, state, request.layout, cache.records(), cache.indices());
-    for (const int number : order) {
-        const auto brick = static_cast<std::size_t>(number);
-        const std::size_t first = cache.brickStarts()[brick];
-        const std::size_t count = cache.brickStarts()[brick + 1] - first;
-        if (count == 0) continue;
+    for (const PolygonCache::Run& run : runs) {
+        const auto brick = static_cast<std::size_t>(run.brick);
         clock.end(&FrameTimes::draw);
         const std::uint64_t downloads = context.downloads;
         const TextureResult bound = bindTexture(context, request.bricks[brick].image, false);
@@ -124,7 +138,7 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
         clock.end(&FrameTimes::load);
         if (bound != TextureResult::ok) return toFrameResult(bound);
         pointAtBrick(context, request.bricks[brick], request.layout, callerTextureMatrix, state);
-        stream.draw(state, first, count);
+        stream.draw(state, run.first, run.count);
     }
     return FrameResult::ok;
 }
@@ -146,7 +160,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Polyg
         debug(2, std::string("frame: ") + (anew ? "new" : "kept") + " polygons, " +
                      std::to_string(cache.samples()) + " samples, drawn as slices");
     clock.end(&FrameTimes::polygonize);
-    const std::vector<int> order = backToFront(request.clipBoxes, *camera);
+    const std::vector<PolygonCache::Run> runs = backToFrontRuns(cache, request.clipBoxes, *camera);
     clock.end(&FrameTimes::sort);
 
     DrawState samples = state;
@@ -155,7 +169,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Polyg
             setOpacityPerLength(context, *gauge, samples);
 
     const ScopedTextureBindings bindings(context.gl);
-    const FrameResult result = drawBricks(context, request, cache, order, samples, clock);
+    const FrameResult result = drawBricks(context, request, cache, runs, samples, clock);
     clock.finish();
     clock.end(&FrameTimes::draw);
     return result;

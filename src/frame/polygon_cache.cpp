@@ -120,12 +120,14 @@ void PolygonCache::remember(const PolygonRequest& request)
     keySampling_ = request.sampling;
 }
 
-/// A counting sort by (brick, sample), then each polygon as a fan.
+/// A counting sort by brick and sample, then each polygon as a fan.
 void PolygonCache::sortIntoBins(std::size_t brickCount, int samples)
 {
     const auto perBrick = static_cast<std::size_t>(std::max(samples, 1));
+    bricksInterleave_ = voxelColumn_ >= 0 && brickCount > 1;
     const auto bin = [&](const Polygon& p) {
-        return static_cast<std::size_t>(p.brick) * perBrick + static_cast<std::size_t>(p.sample);
+        const auto brick = static_cast<std::size_t>(p.brick), sample = static_cast<std::size_t>(p.sample);
+        return bricksInterleave_ ? sample * brickCount + brick : brick * perBrick + sample;
     };
     binStarts_.assign(brickCount * perBrick + 1, 0);
     for (const Polygon& p : polygons_)
@@ -137,16 +139,19 @@ void PolygonCache::sortIntoBins(std::size_t brickCount, int samples)
         order_[binStarts_[bin(polygons_[i])]++] = static_cast<std::uint32_t>(i);
 
     indices_.clear();
-    brickStarts_.assign(brickCount + 1, 0);
+    runs_.clear();
+    int lastSample = 0;
     for (const std::uint32_t number : order_) {
         const Polygon& p = polygons_[number];
+        const bool goesOn =
+            !runs_.empty() && runs_.back().brick == p.brick && (!bricksInterleave_ || lastSample == p.sample);
+        if (!goesOn) runs_.push_back({p.brick, indices_.size(), 0});
+        lastSample = p.sample;
         for (std::uint32_t i = 1; i + 1 < p.count; ++i)
             for (const std::uint32_t vertex : {p.first + i, p.first + i + 1, p.first})
                 indices_.push_back(vertex);
-        brickStarts_[static_cast<std::size_t>(p.brick) + 1] = indices_.size();
+        runs_.back().count = indices_.size() - runs_.back().first;
     }
-    for (std::size_t b = 1; b <= brickCount; ++b)
-        brickStarts_[b] = std::max(brickStarts_[b], brickStarts_[b - 1]);
 }
 
 } // namespace vo

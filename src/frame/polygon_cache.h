@@ -21,8 +21,8 @@ struct PolygonRequest
     SamplingRequest sampling;
 };
 
-/// The polygons of a frame as triangles, brick after brick, in each brick from the farthest sample to the
-/// nearest. Kept from frame to frame while what they depend on stays the same.
+/// The polygons of a frame as triangles, in runs that lie in one brick each. Kept from frame to frame while
+/// what they depend on stays the same.
 class PolygonCache
 {
 public:
@@ -34,8 +34,19 @@ public:
 
     std::span<const float> records() const { return records_; }
     std::span<const std::uint32_t> indices() const { return indices_; }
-    /// Where the indices of a brick begin; brick count + 1 of them.
-    std::span<const std::size_t> brickStarts() const { return brickStarts_; }
+
+    struct Run
+    {
+        int brick;
+        std::size_t first; ///< of the indices
+        std::size_t count;
+    };
+    /// Usually one run a brick, by number, in each from the farthest sample to the nearest: bricks are boxes,
+    /// and drawn in an order of boxes.
+    std::span<const Run> runs() const { return runs_; }
+    /// True when bricks have no order, since voxel coordinates that differ from positions put them anywhere:
+    /// then runs are a brick and a sample each, farthest first, to be drawn as they come.
+    bool bricksInterleave() const { return bricksInterleave_; }
     int samples() const { return samples_; }
     /// For which the polygons were made; the view may have turned since.
     const Camera& camera() const { return keyCamera_; }
@@ -69,7 +80,8 @@ private:
     std::vector<std::uint32_t> order_;
     std::vector<std::size_t> binStarts_;
     std::vector<std::uint32_t> indices_;
-    std::vector<std::size_t> brickStarts_;
+    std::vector<Run> runs_;
+    bool bricksInterleave_ = false;
     int samples_ = 0;
 };
 

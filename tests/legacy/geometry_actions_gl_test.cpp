@@ -96,6 +96,38 @@ TEST_F(GeometryActionsGL, drawUtilityDrawsTheVolume)
     expectNoError();
 }
 
+/// A volume turned inside out along the view: the bricks with the low voxels are nearest, whatever their
+/// boxes say.
+TEST_F(GeometryActionsGL, drawUtilityDrawsDeformedBricksInTheOrderOfTheirSamples)
+{
+    const auto volume = byteVolume(4, 2, voInterpolationTypeScope::_3D, 0);
+    ASSERT_EQ(volume->getCurrentBrickSet()->getBrickCount(), 8);
+    voBrickSetIterator next(volume->getCurrentBrickSet());
+    for (voBrick* brick; (brick = next());) {
+        float origin[3], size[3];
+        brick->getBrickSizes(origin, size);
+        std::memset(voAppearanceActions::dataAlloc(brick), origin[2] < 2 ? 51 : 204, 8);
+    }
+    float records[8][6];
+    for (int i = 0; i < 8; ++i) {
+        const float* p = &cube.vertices[i][0];
+        const float record[6] = {p[0], p[1], 4 - p[2], p[0], p[1], p[2]};
+        std::copy_n(record, 6, records[i]);
+    }
+    voIndexedTetraSet insideOut(records[0], 8, 6, cube.indices, 20);
+    screen.gl().Enable(GL_BLEND);
+    screen.gl().BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    EXPECT_EQ(voGeometryActions::drawUtility(&insideOut, Format::T3F_V3F, volume.get(), NULL, Space::OBJECT,
+                                             period, Decorations::NONE),
+              0);
+    float expected = 0;
+    for (const float value : {0.8f, 0.8f, 0.2f, 0.2f})
+        expected = value * value + (1 - value) * expected;
+    EXPECT_NEAR(screen.middle().first, expected, 1e-4f);
+    screen.gl().Disable(GL_BLEND);
+    expectNoError();
+}
+
 TEST_F(GeometryActionsGL, drawUtilityChoosesTheStackMostAcrossTheView)
 {
     auto volume = byteVolume(4, 4, voInterpolationTypeScope::_2D, 0);
