@@ -366,6 +366,10 @@ TEST_F(VolumeFormats, nrrdTextIsRead)
         text += std::to_string(value) + (i % 6 ? " " : ",\r\n");
     }
     expectVoxels(file("a.nrrd", nrrdHeader(truth_, {}, "\n", "ascii") + text), truth_);
+    std::string windows;
+    for (const char letter : nrrdHeader(truth_, {}, "\n", "ascii"))
+        windows += letter == '\n' ? "\r\n" : std::string(1, letter);
+    expectVoxels(file("a.nrrd", windows + text), truth_);
     expectSays(failureOfReading(file("a.nrrd", nrrdHeader(truth_, {}, "\n", "ascii") + text.substr(0, 100))),
                {"a.nrrd: cut off: expected 60 numbers, found"});
     text.replace(10, 3, " x ");

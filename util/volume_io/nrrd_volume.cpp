@@ -68,7 +68,8 @@ Result<HeaderText> readHeaderText(const InputFile& file)
         }
         const auto field = dataFileField(line);
         if (!field) {
-            header.lines += line + "\n";
+            header.lines += line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+            header.lines += '\n';
         } else if (field->starts_with("LIST")) {
             isList = true;
         } else {
@@ -98,9 +99,19 @@ struct Parsed
     std::unique_ptr<NrrdIoState, FreeNrrd> state;
 };
 
+/// Whether the first line is one that teem knows.
+bool hasKnownMagic(const std::string& lines)
+{
+    const std::string first = lines.substr(0, lines.find('\n'));
+    return first.size() == 8 && first.starts_with("NRRD000") && first[7] >= '1' && first[7] <= '5';
+}
+
 /// What teem makes of the header. Its error log is the process's, so one thread at a time.
 Result<Parsed> parse(const std::string& path, const HeaderText& header)
 {
+    if (!hasKnownMagic(header.lines))
+        return Failure{path + ": expected a first line from NRRD0001 to NRRD0005, found \"" +
+                       printable(header.lines.substr(0, header.lines.find('\n')), 12) + "\""};
     static std::mutex one;
     const std::lock_guard guard(one);
     Parsed parsed{std::unique_ptr<Nrrd, FreeNrrd>(nrrdNew()),
