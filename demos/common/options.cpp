@@ -248,6 +248,13 @@ const std::vector<Option>& optionTable()
          All,
          "look from a point, with this angle over the smaller side (default: orthographic)",
          [](Options& o, Arguments& a) { o.perspective = a.number(0.1, 170, "an angle in degrees"); }},
+        {"shells",
+         {},
+         Ours,
+         All,
+         "sample on shells round the eye instead of planes: the same distance on every ray; with "
+         "-perspective",
+         [](Options& o, Arguments&) { o.shells = true; }},
         {"frames",
          {"N"},
          Ours,

@@ -60,6 +60,8 @@ struct Options
     double sampling = 1;
     /// Degrees of the whole angle; 0: orthographic.
     double perspective = 0;
+    /// Sampling surfaces are shells round the eye instead of planes.
+    bool shells = false;
     /// 0: none to time.
     int frames = 0;
     bool mip = false;

@@ -83,13 +83,16 @@ VoglPolygons::VoglPolygons(voIndexedTetraSet* tetraSet, const VoglVolume& volume
     : tetraSet_(tetraSet), bricks_(volume.bricks), format_(format), maxBrickCount_(volume.maxBrickCount),
       maxSamplesNumber_(volume.maxSamplesNumber)
 {
-    vertices_ = new voVertexData(boundVertices(tetraSet, maxBrickCount_, maxSamplesNumber_),
-                                 tetraSet->getVertexData()->getValuesPerVertex());
+    const int values = tetraSet->getVertexData()->getValuesPerVertex();
+    // Shells have as many facets as it takes to be round: there each set has vertices of its own, that grow.
+    if (!options.shells)
+        vertices_ = new voVertexData(boundVertices(tetraSet, maxBrickCount_, maxSamplesNumber_), values);
     sets_ = new voIndexedFaceSetPtrPtr[maxBrickCount_];
     for (int j1 = 0; j1 < maxBrickCount_; j1++) {
         sets_[j1] = new voIndexedFaceSetPtr[maxSamplesNumber_];
         for (int j2 = 0; j2 < maxSamplesNumber_; j2++)
-            sets_[j1][j2] = new voIndexedFaceSet(vertices_, 0); // indices grow on demand
+            sets_[j1][j2] = vertices_ ? new voIndexedFaceSet(vertices_, 0) // indices grow on demand
+                                      : new voIndexedFaceSet(0, values, 0);
     }
 }
 
@@ -112,8 +115,7 @@ void VoglPolygons::polygonize()
     voglSamplingPeriod(samplingPeriod);
     polygonizeTimer.start();
     voGeometryActions::polygonize(
-        tetraSet_, bricks_->getCurrentBrickSet(), format_, modelMatrix, projMatrix,
-        is2D(bricks_) ? voSamplingModeScope::AXIS_ALIGNED : voSamplingModeScope::VIEWPORT_ALIGNED,
+        tetraSet_, bricks_->getCurrentBrickSet(), format_, modelMatrix, projMatrix, voglSamplingMode(bricks_),
         options.viewSpace ? voSamplingSpaceScope::VIEW_VOLUME : voSamplingSpaceScope::OBJECT, samplingPeriod,
         maxSamplesNumber_, samplesNumber_, sets_);
     if (hasTextureComponent(format_))
@@ -171,6 +173,12 @@ void voglSamplingPeriod(float samplingPeriod[3])
 {
     for (int i = 0; i < 3; i++)
         samplingPeriod[i] = float(options.sampling) / modelScale[i];
+}
+
+voSamplingMode voglSamplingMode(voBrickSetCollection* bricks)
+{
+    if (is2D(bricks)) return voSamplingModeScope::AXIS_ALIGNED;
+    return options.shells ? voSamplingModeScope::SPHERICAL : voSamplingModeScope::VIEWPORT_ALIGNED;
 }
 
 void voglChooseStack(voBrickSetCollection* bricks)

@@ -47,6 +47,9 @@ private:
 /** The distance of the sampling planes along each axis, in voxels. */
 void voglSamplingPeriod(float samplingPeriod[3]);
 
+/** Planes across the view, across an axis for 2D textures, or with -shells shells round the eye. */
+voSamplingMode voglSamplingMode(voBrickSetCollection* bricks);
+
 /** With 2D textures: makes the stack current whose slices the viewer sees least obliquely. */
 void voglChooseStack(voBrickSetCollection* bricks);
 

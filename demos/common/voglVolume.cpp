@@ -172,6 +172,7 @@ VoglSource voglOpenFile(const char* program, const char* fileName)
     if (myGetVolumeSizesIfl(name, source.size[0], source.size[1], source.size[2], source.diskFormat,
                             source.dataType))
         exit(1);
+    myGetVolumeSpacing(name, source.spacing[0], source.spacing[1], source.spacing[2]);
     source.readBrick = [name, size = std::array{source.size[0], source.size[1], source.size[2]}](
                            void* data, const int origin[3], const int brick[3]) {
         return myReadBrickIfl(name, data, origin[0], origin[1], origin[2], brick[0], brick[1], brick[2],
@@ -184,6 +185,8 @@ VoglVolume voglReadVolume(const char* program, const VoglSource& source)
 {
     VoglVolume volume;
     std::copy_n(source.size, 3, volume.size);
+    if (options.shells && options.textureDimensions == 2)
+        voglFail(program, "option -shells: expected 3D textures, found -2D");
     volume.renderingMode = readLookupTable(program);
     useSpacing(source);
     volume.bricks = makeBricks(program, source, volume.renderingMode);

@@ -23,8 +23,8 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection* aVolume)
     voIndexedTetraSet* aTetraSet = voglBox(volume);
     const int valuesPerVertex = getValuesPerVertex(voInterleavedArrayTypeScope::V3F);
     const int maxVertices = 12 * volume.maxSamplesNumber * volume.maxBrickCount; // a guess, no limit
-    cache = new voDrawActionCache(aTetraSet, aVolume, volume.maxSamplesNumber,
-                                  voSamplingModeScope::VIEWPORT_ALIGNED, valuesPerVertex, maxVertices);
+    cache = new voDrawActionCache(aTetraSet, aVolume, volume.maxSamplesNumber, voglSamplingMode(aVolume),
+                                  valuesPerVertex, maxVertices);
     cache->setThreshold(threshold);
     return aTetraSet;
 }

@@ -126,6 +126,20 @@ TEST_F(VoglPrograms, stacksAndTexturesShowTheSameVolume)
     EXPECT_LE(turned.largest, 8) << "the YZ stack";
 }
 
+TEST_F(VoglPrograms, shellsShowTheSameVolumeSampledAnew)
+{
+    writeBlob("blob.tif");
+    const std::string words = "blob.tif -size 90 90 -view 20 30 -perspective 120 -lut 20 20";
+    const Picture planes = draw(words), shells = draw(words + " -shells");
+    EXPECT_LE(vo::difference(planes, shells).largest, 60) << "planes lie farther apart at the rim";
+    EXPECT_GT(vo::difference(planes, shells).pixelsBeyondOne, 50);
+    const auto cut = vo::difference(shells, draw(words + " -shells -bricks 2 2 2"));
+    EXPECT_LE(cut.pixelsBeyondOne, 10);
+    const ProgramRun refused = folder.run("voglBasic", words + " -shells -2D -output a.png");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.errors.find("-shells"), std::string::npos) << refused.errors;
+}
+
 TEST_F(VoglPrograms, tableColoursThePicture)
 {
     writeBlob("blob.tif");
