@@ -13,7 +13,9 @@
 #include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <memory>
+#include <sstream>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
@@ -136,6 +138,16 @@ public:
         event.xkey.keycode = XKeysymToKeycode(display_, symbol);
         send(event);
     }
+    /// As a window manager does.
+    void closeWindow()
+    {
+        XEvent event{};
+        event.xclient.type = ClientMessage;
+        event.xclient.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+        event.xclient.format = 32;
+        event.xclient.data.l[0] = long(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+        send(event);
+    }
     void resize(unsigned width, unsigned height)
     {
         XResizeWindow(display_, window_, width, height);
@@ -169,6 +181,7 @@ protected:
             return std::max(0,
                             250 - 3 * ((x - 9) * (x - 9) + 2 * (y - 12) * (y - 12) + 3 * (z - 6) * (z - 6)));
         });
+        std::ofstream(folder / "bare.raw") << std::string(512, 'x');
         displayNumber = startDisplay();
         ASSERT_NE(displayNumber, "") << vo::readFile(folder / "Xvfb.log");
     }
@@ -190,21 +203,26 @@ protected:
         return number;
     }
 
-    std::unique_ptr<Child> startProgram()
+    std::unique_ptr<Child>
+    startProgram(const std::string& words = "voglBasic blob.tif -view 20 30 -size 200 200")
     {
         std::vector<std::string> line{
-            "env", "DISPLAY=:" + displayNumber,
+            "env", "-C", folder.path(), "DISPLAY=:" + displayNumber,
             // Mesa's GLX leaks, under no name that could be excepted: it is unloaded by then.
-            "ASAN_OPTIONS=detect_leaks=0", std::string(VOLUMIZER_PROGRAMS) + "/voglBasic",
-            folder / "blob.tif", "-view", "20", "30", "-size", "200", "200"};
-        if (*GetParam()) line.push_back(GetParam());
+            "ASAN_OPTIONS=detect_leaks=0"};
+        std::istringstream stream(std::string(VOLUMIZER_PROGRAMS) + "/" + words + " " + GetParam());
+        for (std::string word; stream >> word;)
+            line.push_back(word);
         return std::make_unique<Child>(line, folder / "window.log");
     }
 
     /// Expects that the window comes to show, within 1, what the words draw without a window.
-    void expectShown(const std::string& words)
+    void expectShown(const std::string& words, const std::string& program = "voglBasic blob.tif")
     {
-        const auto run = folder.run("voglBasic", "blob.tif -output picture.png " + words + " " + GetParam());
+        const std::size_t space = std::min(program.find(' '), program.size());
+        const auto run =
+            folder.run(program.substr(0, space),
+                       program.substr(space) + " -output picture.png " + words + " " + GetParam());
         ASSERT_EQ(run.status, 0) << run.errors;
         const auto expected = vo::readPng(folder / "picture.png");
         ASSERT_TRUE(expected);
@@ -261,6 +279,43 @@ TEST_P(WindowTest, windowFollowsMouseSizeAndKeys)
     user.key(XK_Escape);
     EXPECT_EQ(program->waitForEnd(), 0) << vo::readFile(folder / "window.log");
     EXPECT_NE(vo::readFile(folder / "window.log").find("Left drag"), std::string::npos);
+}
+
+TEST_P(WindowTest, everyDemoFollowsItsWindow)
+{
+    struct Demo
+    {
+        const char* program;
+        /// What the right button dragged to 40 25 in a window of 60 x 50 stands for, if anything.
+        const char* dragged;
+    };
+    for (const auto& [program, dragged] :
+         {Demo{"voglCache blob.tif", ""}, Demo{"voglRaw 0 8 8 8 uchar bare.raw", ""},
+          Demo{"voglSpaceLeap blob.tif 1 255", ""}, Demo{"voglMorph blob.tif", "-twist 60 -bend 0"},
+          Demo{"voglSphere blob.tif -center 9 12 6", "-radius 8.831761"}, Demo{"voglUnstructured", ""}}) {
+        {
+            const auto running = startProgram(program + std::string(" -size 50 60"));
+            expectShown("-size 50 60", program);
+            User user(displayNumber);
+            user.resize(60, 50);
+            expectShown("-size 60 50", program);
+            if (*dragged) {
+                user.movePointer(35, 20);
+                user.button(3, true);
+                std::this_thread::sleep_for(200ms);
+                user.movePointer(40, 25);
+                expectShown(dragged + std::string(" -size 60 50"), program);
+                user.button(3, false);
+                user.movePointer(1, 1);
+            }
+            user.key(XK_Escape);
+            EXPECT_EQ(running->waitForEnd(), 0) << program << vo::readFile(folder / "window.log");
+        }
+        const auto running = startProgram(program + std::string(" -size 50 60"));
+        expectShown("-size 50 60", program);
+        User(displayNumber).closeWindow();
+        EXPECT_EQ(running->waitForEnd(), 0) << program << vo::readFile(folder / "window.log");
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(BothProfiles, WindowTest, testing::Values("", "-core"),
