@@ -303,4 +303,16 @@ TEST_F(CachedDemos, spaceLeapOfNothingIsBlack)
     expectOneLine("voglSpaceLeap", "large.tif 5 9 -tess 1", "at most 262144 sub-cubes, found 512000");
 }
 
+TEST_F(CachedDemos, tenFramesEndAsTheyBegan)
+{
+    vo::writeBytes(folder / "blob.tif", 24, 20, 16, blob);
+    for (const char* program : {"voglCache blob.tif", "voglSpaceLeap blob.tif 1 255"}) {
+        const std::string line = program;
+        const std::string name = line.substr(0, line.find(' ')), words = line.substr(line.find(' '));
+        const Picture still = draw(name, words + " -size 24 24");
+        EXPECT_EQ(draw(name, words + " -size 24 24 -frames 10").bytes, still.bytes) << program;
+        EXPECT_NE(printed.find("10 frames, median "), std::string::npos) << printed;
+    }
+}
+
 } // namespace

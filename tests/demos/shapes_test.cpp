@@ -500,4 +500,12 @@ TEST_F(Shapes, unstructuredNamesBadOptionsAndLines)
     EXPECT_EQ(nothing[0], 0);
 }
 
+TEST_F(Shapes, tenFramesEndAsTheyBegan)
+{
+    for (const auto& [program, file] :
+         {std::pair("voglMorph", "soft.tif"), std::pair("voglSphere", "soft.tif"),
+          std::pair("voglUnstructured", "-sampling 4")})
+        EXPECT_EQ(draw(program, std::string(file) + " -frames 10"), draw(program, file)) << program;
+}
+
 } // namespace
