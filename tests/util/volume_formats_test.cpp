@@ -321,6 +321,12 @@ TEST_F(VolumeFormats, badNiftiHeadersAreTold)
     packed = gzipped(whole);
     packed[packed.size() - 6] ^= 1; // the checksum
     expectSays(failureOfReading(file("a.nii.gz", packed)), {"a.nii.gz: damaged", "data check"});
+    // The same where the checksum lies far behind the voxels.
+    const auto more = noise(200'000);
+    packed = gzipped(whole + std::string(more.begin(), more.end()));
+    EXPECT_EQ(failureOfReading(file("b.nii.gz", packed)), "");
+    packed[packed.size() - 6] ^= 1;
+    expectSays(failureOfReading(file("b.nii.gz", packed)), {"b.nii.gz: damaged", "data check"});
 }
 
 // --- NRRD
