@@ -11,7 +11,7 @@ import sys
 FACE = re.compile(
     r"^(?:vtable for |typeinfo for |typeinfo name for |non-virtual thunk to )?(?:vo[A-Z]|vout[A-Z])\w*(?:::|\(|$)"
     r"|^(?:boundFaceCount|getValuesPerVertex|hasTextureComponent|findClosestAxisIndex|clip|sample)\("
-    r"|^operator<<\(std::ostream&, voutTimer const&\)$"
+    r"|^operator<<\(std::ostream&, vout(?:Timer|PerfMeter) const&\)$"
 )
 # Templates and type information of the standard library, which it makes visible itself; weak (V, W) or unique (u).
 STANDARD = re.compile(r"^(?:typeinfo for |typeinfo name for |vtable for |guard variable for |.* )?(?:std::|__gnu_cxx::)")
