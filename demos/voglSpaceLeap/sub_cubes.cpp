@@ -118,6 +118,16 @@ SubCubes findSubCubes(const VoglSource& source, int size, double low, double hig
     return cubes;
 }
 
+std::vector<SubCubeBox> separate(const SubCubes& cubes)
+{
+    std::vector<SubCubeBox> boxes;
+    for (int z = 0; z < cubes.count[2]; ++z)
+        for (int y = 0; y < cubes.count[1]; ++y)
+            for (int x = 0; x < cubes.count[0]; ++x)
+                if (cubes.needed[cubes.index(x, y, z)]) boxes.push_back({{x, y, z}, {x + 1, y + 1, z + 1}});
+    return boxes;
+}
+
 std::vector<SubCubeBox> coalesce(const SubCubes& cubes)
 {
     std::vector<SubCubeBox> boxes;

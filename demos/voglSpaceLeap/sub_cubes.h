@@ -37,3 +37,6 @@ SubCubes findSubCubes(const VoglSource& source, int size, double low, double hig
 /** Covers what is needed by boxes that do not overlap: each grows along x, then y, then z as far as it can.
  */
 std::vector<SubCubeBox> coalesce(const SubCubes& cubes);
+
+/// The sub-cubes that are needed, a box each.
+std::vector<SubCubeBox> separate(const SubCubes& cubes);

@@ -10,6 +10,9 @@
 #include <charconv>
 #include <cstring>
 
+// Sub-cubes are not joined.
+static bool areSeparate = false;
+
 const VoglProgram voglProgram = {
     .purpose =
         "Draws a volume as voglBasic does, but leaves out the sub-cubes of -tessellationSize voxels on\n"
@@ -19,6 +22,12 @@ const VoglProgram voglProgram = {
     .leastArguments = 3,
     .mostArguments = 3,
     .expected = "the file of one volume and the range of the values to draw, LOW and HIGH",
+    .options =
+        {{"separate",
+          {},
+          "do not join sub-cubes into boxes: more tetrahedra, but neighbours share all vertices, and no\n"
+          "pixel of a seam is drawn twice or left out",
+          [](vo::Arguments&) { areSeparate = true; }}},
     .keys = "Escape        also prints what was saved in the last frame\n",
 };
 
@@ -74,8 +83,10 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
     // Corner number 4 z + 2 y + x.
     static const int five[] = {0, 3, 5, 6, 1, 0, 3, 5, 2, 0, 3, 6, 4, 0, 5, 6, 7, 3, 5, 6};
+    // The same mirrored, for every other sub-cube: then the diagonals of neighbours match.
+    static const int mirrored[] = {1, 2, 4, 7, 0, 1, 2, 4, 3, 1, 2, 7, 5, 1, 4, 7, 6, 2, 4, 7};
     static const int flat[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    const std::vector<SubCubeBox> boxes = coalesce(subCubes);
+    const std::vector<SubCubeBox> boxes = areSeparate ? separate(subCubes) : coalesce(subCubes);
     const int boxCount = int(boxes.size());
     voIndexedTetraSet* aTetraSet = new voIndexedTetraSet(8 * (boxCount + 1), 3, 20 * boxCount + 8);
 
@@ -90,7 +101,8 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
             corners[0][i] = float(box.lower[i] * subCubes.size);
             corners[1][i] = std::min(float(box.upper[i]) * float(subCubes.size), whole[1][i]);
         }
-        appendBox(aTetraSet, corners, five, 20);
+        const bool odd = (box.lower[0] + box.lower[1] + box.lower[2]) % 2;
+        appendBox(aTetraSet, corners, odd ? mirrored : five, 20);
     }
     polygons = new VoglPolygons(aTetraSet, volume, voInterleavedArrayTypeScope::V3F);
     printf("kept %d of %d sub-cubes, in %d boxes\n",

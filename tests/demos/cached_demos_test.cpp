@@ -206,6 +206,8 @@ TEST_F(CachedDemos, spaceLeapDrawsWhatBasicDraws)
         // Where boxes meet, a sample may be rounded to the pixel beside: 1/256 pixel a vertex.
         EXPECT_LE(apart.largest, 8) << words;
         EXPECT_LE(apart.pixelsBeyondOne, 90 * 70 / 300) << words;
+        const Picture separate = draw("voglSpaceLeap", "things.tif 1 255 -separate " + line);
+        EXPECT_LE(vo::difference(basic, separate).largest, 1) << words;
     }
 }
 
