@@ -86,6 +86,18 @@ void getMatrices(GLdouble modelMatrix[16], GLdouble projMatrix[16])
     gl->GetDoublev(GL_PROJECTION_MATRIX, projMatrix);
 }
 
+void setTextureShift(double s, double t, double r)
+{
+    const Matrix shift{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, s, t, r, 1};
+    if (isCoreContext()) {
+        voState::setTextureMatrix(singlePrecision(shift).data());
+        return;
+    }
+    gl->MatrixMode(GL_TEXTURE);
+    gl->LoadMatrixd(shift.data());
+    gl->MatrixMode(GL_MODELVIEW);
+}
+
 void setColor(float red, float green, float blue, float alpha)
 {
     if (isCoreContext()) {

@@ -20,6 +20,9 @@ void loadMatrices(const GLdouble modelMatrix[16], const GLdouble projMatrix[16])
 /// What glGetDoublev gives for GL_MODELVIEW_MATRIX and GL_PROJECTION_MATRIX.
 void getMatrices(GLdouble modelMatrix[16], GLdouble projMatrix[16]);
 
+/// Moves the texture coordinates of what is drawn next.
+void setTextureShift(double s, double t, double r);
+
 /// The colour of what is drawn next.
 void setColor(float red, float green, float blue, float alpha);
 

@@ -132,10 +132,18 @@ void VoglPolygons::bind(int brickNo)
     uploadTimer.stop();
 }
 
+bool VoglPolygons::isEmpty(int brickNo) const
+{
+    for (int binNo = 0; binNo < samplesNumber_; binNo++)
+        if (sets_[brickNo][binNo]->getIndices()->getCount() > 0) return false;
+    return true;
+}
+
 void VoglPolygons::drawByBricks(const voSortAction& order)
 {
     for (int brickNo = 0; brickNo < bricks_->getCurrentBrickSet()->getBrickCount(); brickNo++) {
         const int brickSortedNo = order[brickNo];
+        if (isEmpty(brickSortedNo)) continue;
         bind(brickSortedNo);
         drawTimer.start();
         for (int binNo = 0; binNo < samplesNumber_; binNo++)
@@ -144,23 +152,26 @@ void VoglPolygons::drawByBricks(const voSortAction& order)
     }
 }
 
-// Bricks of a deformed volume are no boxes in space, and have no order; planes always do.
-void VoglPolygons::drawByPlanes()
+void VoglPolygons::drawPlane(int sampleNo)
 {
-    for (int binNo = 0; binNo < samplesNumber_; binNo++)
-        for (int brickNo = 0; brickNo < bricks_->getCurrentBrickSet()->getBrickCount(); brickNo++) {
-            if (sets_[brickNo][binNo]->getIndices()->getCount() == 0) continue;
-            bind(brickNo);
-            drawTimer.start();
-            voGeometryActions::draw(sets_[brickNo][binNo], format_);
-            drawTimer.stop();
-        }
+    for (int brickNo = 0; brickNo < bricks_->getCurrentBrickSet()->getBrickCount(); brickNo++) {
+        if (sets_[brickNo][sampleNo]->getIndices()->getCount() == 0) continue;
+        bind(brickNo);
+        drawTimer.start();
+        voGeometryActions::draw(sets_[brickNo][sampleNo], format_);
+        drawTimer.stop();
+    }
 }
 
 void VoglPolygons::draw()
 {
     voBrickSet* aBrickSet = bricks_->getCurrentBrickSet();
-    if (hasTextureComponent(format_) && aBrickSet->getBrickCount() > 1) return drawByPlanes();
+    if (hasTextureComponent(format_) && aBrickSet->getBrickCount() > 1) {
+        // Bricks of a deformed volume are no boxes in space, and have no order; planes always do.
+        for (int binNo = 0; binNo < samplesNumber_; binNo++)
+            drawPlane(binNo);
+        return;
+    }
     GLdouble modelMatrix[16], projMatrix[16];
     vo::getMatrices(modelMatrix, projMatrix);
     polygonizeTimer.start();

@@ -25,15 +25,19 @@ public:
     /** Draws what polygonize left, back to front, each brick with its texture; the times go to uploadTimer
        and drawTimer. For formats with voxel coordinates these are turned into texture coordinates once. */
     void draw();
+    /** Draws one plane, if it has polygons: for programs that draw other things between the planes. */
+    void drawPlane(int sampleNo);
+    /** Makes a brick's texture current, with its texture coordinates: for programs that draw polygons
+        themselves. */
+    void bind(int brickNo);
     /** Polygons of a brick and a plane; planes from 0, the farthest, to getSamplesNumber() - 1. */
     voIndexedFaceSet* get(int brickNo, int sampleNo) { return sets_[brickNo][sampleNo]; }
     int getSamplesNumber() const { return samplesNumber_; }
     voInterleavedArrayType getFormat() const { return format_; }
 
 private:
-    void bind(int brickNo);
+    bool isEmpty(int brickNo) const;
     void drawByBricks(const voSortAction& order);
-    void drawByPlanes();
 
     voIndexedTetraSet* tetraSet_;
     voBrickSetCollection* bricks_;

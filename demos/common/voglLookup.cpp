@@ -1,40 +1,13 @@
-#include "voglMain.h"
 #include "voglLookup.h"
-
-#include "lookup_file.h"
-#include "lookup_ramp.h"
+#include "voglMain.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
-#include <vector>
 
 namespace {
 
 constexpr int kEntries = 256;
-
-std::optional<vo::LookupFile> file;
-std::vector<float> entries;
-voLookupTable* table;
-vo::RampSettings ramp;
-double dataLow, dataHigh;
-int components;
-
-/// The file's entries in as many components as the table has.
-std::vector<float> fileEntries()
-{
-    std::vector<float> result;
-    for (int i = 0; i < kEntries; ++i) {
-        const float* rgba = &file->rgba[std::size_t(4 * i)];
-        if (components == 4) {
-            result.insert(result.end(), rgba, rgba + 4);
-        } else {
-            result.insert(result.end(), {0.30f * rgba[0] + 0.59f * rgba[1] + 0.11f * rgba[2], rgba[3]});
-        }
-    }
-    return result;
-}
 
 double longestSide(voBrickSet* brickSet)
 {
@@ -49,72 +22,136 @@ bool hasOneChannel(voBrickSet* brickSet)
     return format == voExternalFormatTypeScope::LUMINANCE || format == voExternalFormatTypeScope::INTENSITY;
 }
 
-/// The ramp's present entries, in the storage that the table reads.
-void loadRamp()
-{
-    const auto values = vo::rampEntries(ramp, dataLow, dataHigh, kEntries, components);
-    std::copy(values.begin(), values.end(), entries.begin());
-    table->load();
-}
-
 } // namespace
 
-voRenderingMode readLookupTable(const char* program)
+/// The file's entries in as many components as the table has.
+std::vector<float> VoglLookup::fileEntries() const
 {
-    if (!options.lutFile.empty()) {
-        auto read = vo::readLookupFile(options.lutFile);
-        if (!read) {
-            std::fprintf(stderr, "%s: %s\n", program, read.failure().text.c_str());
-            std::exit(1);
+    std::vector<float> result;
+    for (int i = 0; i < kEntries; ++i) {
+        const float* rgba = &file_->rgba[std::size_t(4 * i)];
+        if (components_ == 4) {
+            result.insert(result.end(), rgba, rgba + 4);
+        } else {
+            result.insert(result.end(), {0.30f * rgba[0] + 0.59f * rgba[1] + 0.11f * rgba[2], rgba[3]});
         }
-        file = *read;
     }
-    const bool color = options.color.value_or(file && file->isColor);
-    return color ? voRenderingModeScope::COLOR : voRenderingModeScope::MONOCHROME;
+    return result;
 }
 
-void initLookupTable(voBrickSetCollection* aVolume, voRenderingMode renderingMode, double low, double high)
+/// The ramp's present entries, in the storage that the table reads.
+void VoglLookup::loadRamp()
+{
+    const auto values = vo::rampEntries(ramp_, dataLow_, dataHigh_, kEntries, components_);
+    std::copy(values.begin(), values.end(), entries_.begin());
+    for (std::size_t i = 0; components_ == 4 && i < entries_.size(); ++i)
+        if (i % 4 < 3) entries_[i] *= tint_[i % 4];
+    table_->load();
+}
+
+void VoglLookup::read(const char* program, const std::string& fileName, std::optional<vo::Options::Ramp> lut)
+{
+    lut_ = lut;
+    if (fileName.empty()) return;
+    auto read = vo::readLookupFile(fileName);
+    if (!read) {
+        std::fprintf(stderr, "%s: %s\n", program, read.failure().text.c_str());
+        std::exit(1);
+    }
+    file_ = *read;
+}
+
+voRenderingMode VoglLookup::renderingMode() const
+{
+    const bool coloured = file_ ? file_->isColor : tint_[0] != tint_[1] || tint_[1] != tint_[2];
+    return options.color.value_or(coloured) ? voRenderingModeScope::COLOR : voRenderingModeScope::MONOCHROME;
+}
+
+void VoglLookup::make(voBrickSetCollection* aVolume, voRenderingMode renderingMode, double low, double high)
 {
     voBrickSet* brickSet = aVolume->getCurrentBrickSet();
-    if (!file && !options.lut && !hasOneChannel(brickSet)) return;
+    if (!file_ && !lut_ && !hasOneChannel(brickSet)) return;
     voLookupTableType lookupType = voLookupTableTypeScope::POST_INTERPOLATION;
     voInternalFormatType internalFormat;
     voExternalFormatType externalFormat;
     voDataType dataType;
     voLookupTable::getBestParameters(aVolume, renderingMode, kEntries, lookupType, internalFormat,
                                      externalFormat, dataType);
-    components = externalFormat == voExternalFormatTypeScope::LUMINANCE_ALPHA ? 2 : 4;
-    dataLow = low;
-    dataHigh = high;
-    entries.resize(std::size_t(kEntries * components));
+    components_ = externalFormat == voExternalFormatTypeScope::LUMINANCE_ALPHA ? 2 : 4;
+    dataLow_ = low;
+    dataHigh_ = high;
+    entries_.resize(std::size_t(kEntries * components_));
     if (lookupType == voLookupTableTypeScope::PRE_INTERPOLATION) {
-        table = new voLookupTablePre(internalFormat, kEntries, externalFormat, dataType, entries.data());
+        table_ = new voLookupTablePre(internalFormat, kEntries, externalFormat, dataType, entries_.data());
     } else {
-        table = new voLookupTablePost(internalFormat, kEntries, externalFormat, dataType, entries.data());
+        table_ = new voLookupTablePost(internalFormat, kEntries, externalFormat, dataType, entries_.data());
     }
-    if (file) {
+    if (file_) {
         const auto values = fileEntries();
-        std::copy(values.begin(), values.end(), entries.begin());
-        table->load();
+        std::copy(values.begin(), values.end(), entries_.begin());
+        table_->load();
     } else {
-        const auto wanted = options.lut.value_or(vo::Options::Ramp{(low + high) / 2, high - low});
-        ramp = {wanted.center, wanted.width, vo::sliceOpacity(options.sampling, longestSide(brickSet))};
+        const auto wanted = lut_.value_or(vo::Options::Ramp{(low + high) / 2, high - low});
+        ramp_ = {wanted.center, wanted.width, vo::sliceOpacity(options.sampling, longestSide(brickSet))};
         loadRamp();
     }
-    table->enable();
+    table_->enable();
+}
+
+void VoglLookup::enable()
+{
+    if (table_)
+        table_->enable();
+    else
+        disable();
+}
+
+void VoglLookup::disable()
+{
+    // Any table switches its kind off.
+    voLookupTablePost(voInternalFormatTypeScope::RGBA8_EXT, 2, voExternalFormatTypeScope::RGBA,
+                      voDataTypeScope::FLOAT)
+        .disable();
+}
+
+void VoglLookup::moveRamp(double center, double width)
+{
+    if (!table_ || file_) return;
+    const double range = dataHigh_ - dataLow_;
+    ramp_.center = dataLow_ + center * range;
+    ramp_.width = std::max(width, 1.0 / kEntries) * range;
+    loadRamp();
+}
+
+void VoglLookup::free()
+{
+    delete table_;
+    table_ = nullptr;
+}
+
+VoglLookup& voglLookup()
+{
+    static VoglLookup lookup;
+    return lookup;
+}
+
+voRenderingMode readLookupTable(const char* program)
+{
+    voglLookup().read(program, options.lutFile, options.lut);
+    return voglLookup().renderingMode();
+}
+
+void initLookupTable(voBrickSetCollection* aVolume, voRenderingMode renderingMode, double low, double high)
+{
+    voglLookup().make(aVolume, renderingMode, low, high);
 }
 
 void moveLookupRamp(double center, double width)
 {
-    if (!table || file) return;
-    const double range = dataHigh - dataLow;
-    ramp.center = dataLow + center * range;
-    ramp.width = std::max(width, 1.0 / kEntries) * range;
-    loadRamp();
+    voglLookup().moveRamp(center, width);
 }
 
 void deleteLookupTable()
 {
-    delete table;
-    table = nullptr;
+    voglLookup().free();
 }

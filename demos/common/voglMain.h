@@ -39,8 +39,8 @@ struct VoglProgram
 extern const VoglProgram voglProgram;
 
 /** Reads the volume that the command line names (argv[1] and on; options are taken out before) and says how
-   it is drawn. No OpenGL yet. Leaves by exit(1) after one line on stderr when it cannot. NULL: nothing but
-   tetrahedra is drawn. */
+   it is drawn. No OpenGL yet. Leaves by exit(1) after one line on stderr when it cannot. NULL: the view
+   takes its size from the tetrahedra, which begin at the origin. */
 voBrickSetCollection* my_InitAppearance(int argc, char** argv);
 /** Makes the tetrahedra, and room for what they are cut into. */
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection* aVolume);

@@ -1,7 +1,6 @@
 #include "voglVolume.h"
 
 #include "brick_io.h"
-#include "voglLookup.h"
 #include "voglMain.h"
 #include "voxel_range.h"
 
@@ -75,17 +74,23 @@ std::string optionsGiven(bool withBricks)
     return (count == 1 ? "option " : "options ") + names + ": ";
 }
 
+void checkPlanes(const char* program, double planes)
+{
+    const double mostPlanes = 65536;
+    if (planes > mostPlanes)
+        voglFail(program, optionsGiven(false) + "expected at most " + whole(mostPlanes) +
+                              " sampling planes, found " + whole(planes));
+}
+
 // Refuses what would take minutes or all memory. Each brick gets a set of faces for each plane; what no
 // option asked for may take longer.
 void checkWork(const char* program, const int volumeSize[3], const int brickSize[3])
 {
-    const double mostPlanes = 65536, mostBricks = 4096;
+    const double mostBricks = 4096;
     const double planes = countPlanes(volumeSize), bricks = countBricks(volumeSize, brickSize);
     const std::string given = optionsGiven(true);
     const double mostFaceSets = given == "volume: " ? 1e7 : 2e6;
-    if (planes > mostPlanes)
-        voglFail(program, optionsGiven(false) + "expected at most " + whole(mostPlanes) +
-                              " sampling planes, found " + whole(planes));
+    checkPlanes(program, planes);
     if (options.bricks && bricks > mostBricks)
         voglFail(program,
                  "option -bricks: expected at most " + whole(mostBricks) + " bricks, found " + whole(bricks));
@@ -125,21 +130,44 @@ voBrickSetCollection* makeBricks(const char* program, const VoglSource& source, 
                                     interpolationType);
 }
 
-// Reads every brick of the current set; the range of the values that are seen, of volumes of one channel.
+// Reads a brick, as the file has it, and widens the range by its values, of volumes of one channel.
+void readBrick(const VoglSource& source, voBrick* brick, vo::ValueRange& seen)
+{
+    int origin[3], size[3];
+    brick->getBrickSizes(origin[0], origin[1], origin[2], size[0], size[1], size[2]);
+    if (source.readBrick(brick->getDataPtr(), origin, size)) exit(1);
+    if (source.diskFormat == voExternalFormatTypeScope::LUMINANCE)
+        vo::growRange(seen, *brick, source.size[0], source.size[1], source.size[2]);
+}
+
+// Reads every brick of a set, and keeps them.
 vo::ValueRange readBricks(const VoglSource& source, voBrickSet* brickSet)
 {
     vo::ValueRange seen;
     voBrickSetIterator brickSetIter(brickSet);
     for (voBrick* brick; (brick = brickSetIter());) {
-        int origin[3], size[3];
-        void* vdata = brick->getDataPtr();
-        brick->getBrickSizes(origin[0], origin[1], origin[2], size[0], size[1], size[2]);
-        if (source.readBrick(vdata, origin, size)) exit(1);
-        if (source.diskFormat == voExternalFormatTypeScope::LUMINANCE)
-            vo::growRange(seen, *brick, source.size[0], source.size[1], source.size[2]);
-        voAppearanceActions::dataConvert(brick, vdata, source.diskFormat);
+        readBrick(source, brick, seen);
+        voAppearanceActions::dataConvert(brick, brick->getDataPtr(), source.diskFormat);
     }
     return seen;
+}
+
+// Reads every brick of a set, and keeps none.
+vo::ValueRange scanBricks(const VoglSource& source, voBrickSet* brickSet)
+{
+    vo::ValueRange seen;
+    voBrickSetIterator brickSetIter(brickSet);
+    for (voBrick* brick; (brick = brickSetIter());) {
+        if (!voAppearanceActions::dataAlloc(brick)) exit(1);
+        readBrick(source, brick, seen);
+        voAppearanceActions::dataFree(brick);
+    }
+    return seen;
+}
+
+bool isByte(voDataType dataType)
+{
+    return dataType == voDataTypeScope::UNSIGNED_BYTE || dataType == voDataTypeScope::BYTE;
 }
 
 // The values of the file that become the ends of the table: what -dataRange says, else those that the file
@@ -149,10 +177,30 @@ vo::ValueRange chooseDataRange(const vo::ValueRange& seen, const char* program, 
     if (seen.low == seen.high)
         fprintf(stderr, "%s: %s: all voxels are %g; nothing to tell apart\n", program, source.name.c_str(),
                 seen.low);
-    const bool isByte =
-        source.dataType == voDataTypeScope::UNSIGNED_BYTE || source.dataType == voDataTypeScope::BYTE;
     if (options.dataRange) return {options.dataRange->low, options.dataRange->high};
-    return !isByte && seen.low < seen.high ? seen : vo::fullRange(source.dataType);
+    return !isByte(source.dataType) && seen.low < seen.high ? seen : vo::fullRange(source.dataType);
+}
+
+// All but voxels and the data range.
+VoglVolume layOut(const char* program, const VoglSource& source, voRenderingMode renderingMode)
+{
+    VoglVolume volume;
+    std::copy_n(source.size, 3, volume.size);
+    if (options.shells && options.textureDimensions == 2)
+        voglFail(program, "option -shells: expected 3D textures, found -2D");
+    volume.renderingMode = renderingMode;
+    useSpacing(source);
+    volume.bricks = makeBricks(program, source, volume.renderingMode);
+    volume.bricks->setCurrentBrickSet(voPlaneOrientationScope::XY);
+    volume.maxSamplesNumber = int(countPlanes(source.size));
+    volume.maxBrickCount = volume.bricks->getMaxBrickCount();
+    return volume;
+}
+
+void setDataRange(VoglVolume& volume, const vo::ValueRange& range)
+{
+    volume.loValue = float(range.low);
+    volume.hiValue = float(range.high);
 }
 
 } // namespace
@@ -183,26 +231,18 @@ VoglSource voglOpenFile(const char* program, const char* fileName)
 
 VoglVolume voglReadVolume(const char* program, const VoglSource& source)
 {
-    VoglVolume volume;
-    std::copy_n(source.size, 3, volume.size);
-    if (options.shells && options.textureDimensions == 2)
-        voglFail(program, "option -shells: expected 3D textures, found -2D");
-    volume.renderingMode = readLookupTable(program);
-    useSpacing(source);
-    volume.bricks = makeBricks(program, source, volume.renderingMode);
-    volume.maxSamplesNumber = int(countPlanes(source.size));
+    return voglReadVolume(program, source, readLookupTable(program));
+}
 
+VoglVolume voglReadVolume(const char* program, const VoglSource& source, voRenderingMode renderingMode)
+{
+    VoglVolume volume = layOut(program, source, renderingMode);
     voBrickSetCollectionIterator collectionIter(volume.bricks);
-    for (voBrickSet* brickSet; (brickSet = collectionIter());) {
+    for (voBrickSet* brickSet; (brickSet = collectionIter());)
         if (!voAppearanceActions::dataAlloc(brickSet)) exit(1);
-        volume.maxBrickCount = std::max(volume.maxBrickCount, brickSet->getBrickCount());
-    }
 
-    volume.bricks->setCurrentBrickSet(voPlaneOrientationScope::XY);
     const vo::ValueRange seen = readBricks(source, volume.bricks->getCurrentBrickSet());
-    const vo::ValueRange range = chooseDataRange(seen, program, source);
-    volume.loValue = float(range.low);
-    volume.hiValue = float(range.high);
+    setDataRange(volume, chooseDataRange(seen, program, source));
     voBrickSetIterator brickSetIter(volume.bricks->getCurrentBrickSet());
     for (voBrick* brick; (brick = brickSetIter());)
         voAppearanceActions::dataScaleRange(brick, volume.loValue, volume.hiValue);
@@ -212,9 +252,26 @@ VoglVolume voglReadVolume(const char* program, const VoglSource& source)
     return volume;
 }
 
-void voglInitTextures(const VoglVolume& volume)
+VoglVolume voglOpenVolume(const char* program, const VoglSource& source)
 {
-    initLookupTable(volume.bricks, volume.renderingMode, volume.loValue, volume.hiValue);
+    VoglVolume volume = layOut(program, source, readLookupTable(program));
+    vo::ValueRange seen = vo::fullRange(source.dataType);
+    if (!isByte(source.dataType) && !options.dataRange)
+        seen = scanBricks(source, volume.bricks->getCurrentBrickSet());
+    setDataRange(volume, chooseDataRange(seen, program, source));
+    return volume;
+}
+
+int voglCountPlanes(const char* program, const int size[3])
+{
+    const double planes = countPlanes(size);
+    checkPlanes(program, planes);
+    return int(planes);
+}
+
+void voglInitTextures(const VoglVolume& volume, VoglLookup& lookup)
+{
+    lookup.make(volume.bricks, volume.renderingMode, volume.loValue, volume.hiValue);
     voAppearanceActions::volumeOptimize(volume.bricks, voOptimizeVolumeTypeScope::BEST_PERFORMANCE);
 }
 

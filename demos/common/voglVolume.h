@@ -3,6 +3,8 @@
 // Before any header of <vo/...>.
 #include "gl.h"
 
+#include "voglLookup.h"
+
 #include <vo/Volumizer.h>
 
 #include <functional>
@@ -49,8 +51,19 @@ VoglSource voglOpenFile(const char* program, const char* fileName);
    what would take minutes or all memory. Leaves by exit(1) after one line on stderr. */
 VoglVolume voglReadVolume(const char* program, const VoglSource& source);
 
-/** Makes textures and table; needs a context. */
-void voglInitTextures(const VoglVolume& volume);
+/** The same, with a mode of its own, for volumes that have a table of their own too. */
+VoglVolume voglReadVolume(const char* program, const VoglSource& source, voRenderingMode renderingMode);
+
+/** The bricks without their voxels, for programs that read these when they need them. The data range is found
+    by reading brick after brick, where neither the options nor the type say it. */
+VoglVolume voglOpenVolume(const char* program, const VoglSource& source);
+
+/** The most sampling planes that any view of a box has, in voxels. Leaves by exit(1) when they are too many.
+ */
+int voglCountPlanes(const char* program, const int size[3]);
+
+/** Makes textures and table, that of the options or another one; needs a context. */
+void voglInitTextures(const VoglVolume& volume, VoglLookup& lookup = voglLookup());
 
 /** Frees the bricks and their voxels. */
 void voglFreeVolume(VoglVolume& volume);

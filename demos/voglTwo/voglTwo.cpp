@@ -1,0 +1,198 @@
+// voglTwo: two volumes that overlap. Both are cut by the same planes, so that their slices interleave in
+// depth order and the volumes shine through each other (guide, pages 116-118).
+#include "voglMain.h"
+
+#include "voglFrame.h"
+#include "voglLookup.h"
+#include "voglVolume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+static float offset[3];
+static std::optional<std::array<float, 3>> spacing;
+static std::string lutFile2;
+
+const VoglProgram voglProgram = {
+    .purpose = "Draws two volumes that overlap.\n-lutFile, -lut and -dataRange speak of the first volume.",
+    .arguments = "VOLUME1 VOLUME2",
+    .example = "head.tif skull.tif -spacing2 3 3 3 -offset -6 14 -8",
+    .leastArguments = 2,
+    .mostArguments = 2,
+    .expected = "the files of two volumes",
+    .options =
+        {{"offset",
+          {"X", "Y", "Z"},
+          "where the second volume begins, in voxels of the first (default 0 0 0)",
+          [](vo::Arguments& a) {
+              for (float& value : offset)
+                  value = float(a.number(-1e6, 1e6));
+          }},
+         {"spacing2",
+          {"X", "Y", "Z"},
+          "distances of the second volume's voxels, in voxels of the first (default: as the files say)",
+          [](vo::Arguments& a) {
+              spacing.emplace();
+              for (float& value : *spacing)
+                  value = float(a.number(1e-3, 1e3));
+          }},
+         {"lutFile2",
+          {"FILE"},
+          "the second volume's table (default: an orange ramp)",
+          [](vo::Arguments& a) { lutFile2 = a.text(); }}},
+};
+
+// One of the two. Object space has the voxels of the first volume for unit, and begins at the lower corner of
+// the box round both.
+struct Part
+{
+    VoglVolume volume;
+    VoglLookup* lookup;
+    float origin[3] = {0, 0, 0}, spacing[3] = {1, 1, 1};
+    voIndexedTetraSet *box, *outline;
+    VoglPolygons* polygons;
+
+    float end(int axis) const { return origin[axis] + spacing[axis] * float(volume.size[axis]); }
+};
+
+static VoglLookup secondLookup;
+static Part parts[2];
+
+static void readFirst(const char* program, const VoglSource& source)
+{
+    parts[0].lookup = &voglLookup();
+    parts[0].volume = voglReadVolume(program, source);
+}
+
+// Takes no options but those of its own, and leaves the first volume's spacing that of the scene.
+static void readSecond(const char* program, const VoglSource& source)
+{
+    const auto rangeOfFirst = std::exchange(options.dataRange, std::nullopt);
+    const std::array<float, 3> scale{modelScale[0], modelScale[1], modelScale[2]};
+    secondLookup.setTint(1, 0.55f, 0.1f);
+    secondLookup.read(program, lutFile2, std::nullopt);
+    parts[1].lookup = &secondLookup;
+    parts[1].volume = voglReadVolume(program, source, secondLookup.renderingMode());
+    std::copy_n(scale.begin(), 3, modelScale);
+    options.dataRange = rangeOfFirst;
+}
+
+static void place(const char* program, const VoglSource& first, const VoglSource& second)
+{
+    for (int i = 0; i < 3; i++) {
+        parts[1].spacing[i] =
+            spacing ? (*spacing)[std::size_t(i)] : float(second.spacing[i] / first.spacing[i]);
+        parts[1].origin[i] = offset[i];
+        if (offset[i] >= parts[0].end(i) || parts[1].end(i) <= 0)
+            voglFail(program, "option -offset: expected a place where the volumes overlap; along axis " +
+                                  std::to_string(i) + " the second is at " + std::to_string(offset[i]) +
+                                  " to " + std::to_string(parts[1].end(i)) + ", the first at 0 to " +
+                                  std::to_string(parts[0].end(i)));
+        const float lowest = std::min(0.0f, offset[i]);
+        for (Part& part : parts)
+            part.origin[i] -= lowest;
+    }
+    int size[3];
+    for (int i = 0; i < 3; i++)
+        size[i] = int(std::ceil(std::max(parts[0].end(i), parts[1].end(i))));
+    for (Part& part : parts)
+        part.volume.maxSamplesNumber = voglCountPlanes(program, size);
+}
+
+voBrickSetCollection* my_InitAppearance(int, char** argv)
+{
+    const VoglSource first = voglOpenFile(argv[0], argv[1]), second = voglOpenFile(argv[0], argv[2]);
+    readFirst(argv[0], first);
+    readSecond(argv[0], second);
+    place(argv[0], first, second);
+    return NULL; // neither of the two: the view shows the tetrahedra round both
+}
+
+// The box round both volumes, in voxel coordinates of this one. Planes lie where the tetrahedra are: the same
+// tetrahedra give both volumes the same planes. Voxel coordinates outside the volume are clipped away.
+static voIndexedTetraSet* makeBox(const Part& part)
+{
+    const float lower[3] = {0, 0, 0};
+    float upper[3];
+    for (int i = 0; i < 3; i++)
+        upper[i] = std::max(parts[0].end(i), parts[1].end(i));
+    voIndexedTetraSet* positions = voglBox(lower, upper);
+    const int count = positions->getVertexData()->getCount();
+    voIndices& indices = *positions->getIndices();
+    voIndexedTetraSet* box = new voIndexedTetraSet(
+        count, getValuesPerVertex(voInterleavedArrayTypeScope::T3F_V3F), indices.getCount());
+    for (int vertex = 0; vertex < count; vertex++)
+        for (int i = 0; i < 3; i++) {
+            const float position = (*positions->getVertexData())[vertex][i];
+            (*box->getVertexData())[vertex][i] = (position - part.origin[i]) / part.spacing[i];
+            (*box->getVertexData())[vertex][3 + i] = position;
+        }
+    std::copy_n(indices.getDataPtr(), indices.getCount(), box->getIndices()->getDataPtr());
+    box->getVertexData()->setCount(count);
+    box->getIndices()->setCount(indices.getCount());
+    delete positions;
+    return box;
+}
+
+voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
+{
+    for (Part& part : parts) {
+        part.box = makeBox(part);
+        part.outline = voglBox(part.volume);
+        part.polygons = new VoglPolygons(part.box, part.volume, voInterleavedArrayTypeScope::T3F_V3F);
+    }
+    return parts[0].box;
+}
+
+void my_InitGfx(voIndexedTetraSet*, voBrickSetCollection*)
+{
+    for (Part& part : parts)
+        voglInitTextures(part.volume, *part.lookup);
+}
+
+// In the frame of the volume's own voxels.
+static void drawOutlines(const Part& part)
+{
+    GLdouble model[16], projection[16], own[16];
+    vo::getMatrices(model, projection);
+    for (int row = 0; row < 4; row++) {
+        own[12 + row] = model[12 + row];
+        for (int i = 0; i < 3; i++) {
+            own[4 * i + row] = model[4 * i + row] * double(part.spacing[i]);
+            own[12 + row] += model[4 * i + row] * double(part.origin[i]);
+        }
+    }
+    vo::loadMatrices(own, projection);
+    voglDrawOutlines(part.outline, part.volume.bricks, voInterleavedArrayTypeScope::V3F);
+    vo::loadMatrices(model, projection);
+}
+
+void my_DrawVolume(voIndexedTetraSet*, voBrickSetCollection*)
+{
+    for (Part& part : parts) {
+        voglChooseStack(part.volume.bricks);
+        drawOutlines(part);
+        part.polygons->polygonize();
+    }
+    voglBeginSlices(parts[0].volume.bricks, voInterleavedArrayTypeScope::T3F_V3F);
+    for (int sampleNo = 0; sampleNo < parts[0].polygons->getSamplesNumber(); sampleNo++)
+        for (Part& part : parts) {
+            part.lookup->enable();
+            part.polygons->drawPlane(sampleNo);
+        }
+    voglEndSlices(parts[0].volume.bricks);
+}
+
+void my_Cleanup(voIndexedTetraSet*, voBrickSetCollection*)
+{
+    for (Part& part : parts) {
+        delete part.polygons;
+        delete part.outline;
+        delete part.box;
+        part.lookup->free();
+        voglFreeVolume(part.volume);
+    }
+}
