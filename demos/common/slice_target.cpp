@@ -14,7 +14,7 @@ SliceTarget::SliceTarget(int width, int height)
         gl->TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->GenFramebuffers(1, &framebuffer_);
-    begin();
+    bind();
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
     end();
 }
@@ -25,11 +25,16 @@ SliceTarget::~SliceTarget()
     gl->DeleteTextures(1, &texture_);
 }
 
-void SliceTarget::begin()
+void SliceTarget::bind()
 {
     gl->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawnBefore_);
     gl->GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBefore_);
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+}
+
+void SliceTarget::begin()
+{
+    bind();
     gl->ClearColor(0, 0, 0, 0);
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }

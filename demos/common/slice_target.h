@@ -30,6 +30,8 @@ public:
     void draw(double depth);
 
 private:
+    void bind();
+
     int width_, height_;
     GLuint texture_ = 0, framebuffer_ = 0;
     GLint drawnBefore_ = 0, readBefore_ = 0;
