@@ -43,6 +43,12 @@ TABLES = {
          (126, 0.95, 0.70, 0.35, 0.012),
          (150, 0.95, 0.66, 0.28, 0.008),
          (255, 1.00, 0.80, 0.40, 0.012)]),
+    'skin.lut': (
+        ['MRI (T1) of a head: the skin as a surface, and nothing beneath it. Made for data/volumes/head.tif.'],
+        [(0, 0.00, 0.00, 0.00, 0.000),
+         (55, 0.00, 0.00, 0.00, 0.000),
+         (85, 1.00, 0.82, 0.70, 0.900),
+         (255, 1.00, 0.82, 0.70, 0.900)]),
     'spectrum.lut': (
         ['Spectrum from blue (low) over green to red (high), for fields without a colour of their own.',
          'For volumes about 200 slices deep.'],

@@ -58,6 +58,8 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
     if (options.textureDimensions == 2)
         voglFail(argv[0], "option -2D: expected 3D textures; a slice of a stack cannot be moved across it");
+    if (options.shells)
+        voglFail(argv[0], "option -shells: expected planes, each of one depth, as its slice is drawn");
     // A slice that is moved by a voxel must stay on the brick's voxels.
     options.overlap = std::max(options.overlap, 3);
     volume = voglReadVolume(argv[0], voglOpenFile(argv[0], argv[1]));

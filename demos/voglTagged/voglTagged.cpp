@@ -102,9 +102,22 @@ static void tint(VoglLookup& lookup, int number)
     lookup.setTint(color[0], color[1], color[2]);
 }
 
+// Tags that options speak of and nobody has are slips of the pen.
+static void checkTag(const char* program, const char* option, int tag, const std::set<int>& found)
+{
+    if (found.count(tag)) return;
+    voglFail(program, std::string("option ") + option + ": expected a tag that voxels have, found '" +
+                          std::to_string(tag) + "'");
+}
+
 static void makeClasses(const char* program)
 {
-    for (const int tag : findTags()) {
+    const std::set<int> found = findTags();
+    for (const auto& [tag, file] : tableFiles)
+        checkTag(program, "-table", tag, found);
+    for (const int tag : hidden)
+        checkTag(program, "-hide", tag, found);
+    for (const int tag : found) {
         const auto file = tableFiles.find(tag);
         if (hidden.count(tag) || (tag == 0 && file == tableFiles.end())) continue;
         const int number = int(classes.size());

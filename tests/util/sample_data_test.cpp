@@ -47,9 +47,26 @@ TEST(SampleVolumes, skullHoldsTheVoxelsOfItsSourceTurnedHalfRound)
     EXPECT_EQ(checksum(bytes), 0xe6f0281au);
 }
 
+TEST(SampleVolumes, tagsOfTheHeadLieWhereItsVoxelsDo)
+{
+    auto head = openVolume(kSource + "data/volumes/head.tif"),
+         tags = openVolume(kSource + "data/volumes/head-tags.tif");
+    ASSERT_TRUE(head && tags);
+    ASSERT_EQ(tags->info(), head->info());
+    const auto voxels = whole(*head), tagged = whole(*tags);
+    std::size_t brain = 0;
+    for (std::size_t i = 0; i < tagged.size(); ++i) {
+        ASSERT_LE(int(tagged[i]), 2) << i;
+        if (int(tagged[i]) == 0) ASSERT_LT(int(voxels[i]), 24) << i;
+        if (int(tagged[i]) == 1) ASSERT_GE(int(voxels[i]), 24) << i;
+        brain += int(tagged[i]) == 2;
+    }
+    EXPECT_NEAR(double(brain), 1.75e6, 0.25e6) << "cubic millimetres";
+}
+
 TEST(SampleVolumes, stayUnderFiveMegabytes)
 {
-    for (const char* name : {"head.tif", "skull.tif"})
+    for (const char* name : {"head.tif", "head-tags.tif", "skull.tif"})
         EXPECT_LT(std::filesystem::file_size(kSource + "data/volumes/" + name), 5'000'000u);
 }
 
