@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <memory>
+#include <numbers>
 #include <sstream>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -181,6 +183,7 @@ protected:
             return std::max(0,
                             250 - 3 * ((x - 9) * (x - 9) + 2 * (y - 12) * (y - 12) + 3 * (z - 6) * (z - 6)));
         });
+        vo::writeBytes(folder / "tags.tif", 24, 20, 16, [](int x, int, int) { return x / 8; });
         std::ofstream(folder / "bare.raw") << std::string(512, 'x');
         displayNumber = startDisplay();
         ASSERT_NE(displayNumber, "") << vo::readFile(folder / "Xvfb.log");
@@ -292,7 +295,11 @@ TEST_P(WindowTest, everyDemoFollowsItsWindow)
     for (const auto& [program, dragged] :
          {Demo{"voglCache blob.tif", ""}, Demo{"voglRaw 0 8 8 8 uchar bare.raw", ""},
           Demo{"voglSpaceLeap blob.tif 1 255", ""}, Demo{"voglMorph blob.tif", "-twist 60 -bend 0"},
-          Demo{"voglSphere blob.tif -center 9 12 6", "-radius 8.831761"}, Demo{"voglUnstructured", ""}}) {
+          Demo{"voglSphere blob.tif -center 9 12 6", "-radius 8.831761"}, Demo{"voglUnstructured", ""},
+          Demo{"voglMPR1 blob.tif", ""}, Demo{"voglMPR2 blob.tif", ""},
+          Demo{"voglTwo blob.tif blob.tif -offset 6 4 2", ""}, Demo{"voglTagged blob.tif tags.tif", ""},
+          Demo{"voglRoam blob.tif", ""}, Demo{"voglMirror blob.tif", ""},
+          Demo{"voglShade blob.tif -lut 100 100", "-light 0.33333333 0 0.94280904"}}) {
         {
             const auto running = startProgram(program + std::string(" -size 50 60"));
             expectShown("-size 50 60", program);
@@ -316,6 +323,43 @@ TEST_P(WindowTest, everyDemoFollowsItsWindow)
         User(displayNumber).closeWindow();
         EXPECT_EQ(running->waitForEnd(), 0) << program << vo::readFile(folder / "window.log");
     }
+}
+
+TEST_P(WindowTest, keysMoveTheCubeOfInterest)
+{
+    const std::string words = "voglRoam blob.tif -bricks 2 2 2 -size 60 50 -voi 8 8 8 8";
+    const auto running = startProgram(words);
+    expectShown("", words);
+    User user(displayNumber);
+    for (const KeySym key : {XK_l, XK_l, XK_o, XK_k, XK_equal})
+        user.key(key);
+    expectShown("-voi 10 9 7 10", words);
+    // Two eighths of ten to the left, one back, one up; then a smaller cube.
+    for (const KeySym key : {XK_j, XK_j, XK_u, XK_i, XK_minus})
+        user.key(key);
+    expectShown("-voi 7.5 7.75 8.25 8", words);
+    user.key(XK_Escape);
+    EXPECT_EQ(running->waitForEnd(), 0);
+    EXPECT_NE(vo::readFile(folder / "window.log").find(" of 8 bricks: "), std::string::npos);
+}
+
+TEST_P(WindowTest, middleButtonMovesTheBall)
+{
+    const std::string words = "voglMirror blob.tif -size 60 60 -view 0 30 -sphere 12 10 8";
+    const auto running = startProgram(words);
+    expectShown("", words);
+    User user(displayNumber);
+    user.movePointer(30, 30);
+    user.button(2, true);
+    std::this_thread::sleep_for(200ms);
+    user.movePointer(36, 27);
+    // Half the window is 1.5 times half the diagonal; to the right is along x turned by 30 degrees, up is z.
+    const double pixel = 1.5 * std::sqrt(24.0 * 24 + 20 * 20 + 16 * 16) / 60;
+    const double turn = 30 * std::numbers::pi / 180;
+    expectShown("-sphere " + std::to_string(12 + 6 * pixel * std::cos(turn)) + " " +
+                    std::to_string(10 + 6 * pixel * std::sin(turn)) + " " + std::to_string(8 + 3 * pixel),
+                words);
+    user.button(2, false);
 }
 
 INSTANTIATE_TEST_SUITE_P(BothProfiles, WindowTest, testing::Values("", "-core"),
