@@ -9,6 +9,7 @@
 #include "voglVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <utility>
@@ -75,10 +76,12 @@ static VoglVolume readTags(const char* program, const VoglSource& source)
         voglFail(program, source.name + ": expected as many tags as the volume has voxels, found " + found +
                               std::to_string(volume.size[2]));
     }
-    // -dataRange speaks of the volume; tags stay what they are.
+    // -dataRange and the spacing are the volume's; tags stay what they are.
     const auto range = std::exchange(options.dataRange, std::nullopt);
+    const std::array<float, 3> scale{modelScale[0], modelScale[1], modelScale[2]};
     const VoglVolume read = voglReadVolume(program, source, voRenderingModeScope::MONOCHROME);
     options.dataRange = range;
+    std::copy_n(scale.begin(), 3, modelScale);
     return read;
 }
 
