@@ -61,7 +61,7 @@ const char* channelName(const VolumeReport& report, std::size_t channel)
     return kChannelNames[report.info.channels - 1][channel];
 }
 
-std::string orientationText(const vo::Orientation& orientation)
+std::string orientationText(const vo::PatientFrame& orientation)
 {
     if (!orientation.known) return "unknown; in the order of the file";
     return orientation.fileAxes + " in the file; arrives with x right, y front, z up" +

@@ -78,20 +78,6 @@ voBrickSetCollection* my_InitAppearance(int argc, char** argv)
         voDataTypeScope::UNSIGNED_BYTE, voInterpolationTypeScope::_3D);
 }
 
-// As many sampling planes as the diagonal of a box has room for.
-static int countPlanes(const int size[3])
-{
-    double diagonal = 0;
-    for (int i = 0; i < 3; i++)
-        diagonal = std::hypot(diagonal, size[i] * double(modelScale[i]));
-    const double planes = std::ceil(1.02 * diagonal / options.sampling) + 1;
-    if (planes > 65536)
-        voglFail("voglUnstructured",
-                 "options -sampling and -scale: expected at most 65536 sampling planes, found " +
-                     std::to_string(planes));
-    return int(planes);
-}
-
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection* aVolume)
 {
     const int vertexCount = int(mesh.vertices.size()), indexCount = int(mesh.tetras.size());
@@ -112,7 +98,7 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection* aVolume)
     box.bricks = aVolume;
     box.maxBrickCount = 1;
     aVolume->getCurrentBrickSet()->getVolumeSizes(box.size[0], box.size[1], box.size[2]);
-    box.maxSamplesNumber = countPlanes(box.size);
+    box.maxSamplesNumber = voglCountPlanes("voglUnstructured", box.size);
     polygons = new VoglPolygons(aTetraSet, box, format);
     return aTetraSet;
 }

@@ -59,7 +59,7 @@ std::optional<Placement> placementOfSteps(const std::array<Vector3, 3>& steps)
     Placement placement;
     placement.fileAxis = nearestOrder(units);
     placement.spacingKnown = true;
-    Orientation& orientation = placement.orientation;
+    PatientFrame& orientation = placement.orientation;
     orientation.known = true;
     orientation.fileAxes = "   ";
     double trace = 0;

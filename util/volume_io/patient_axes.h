@@ -18,7 +18,7 @@ struct Placement
     /// Of the served axes.
     Vector3 spacing{1, 1, 1};
     bool spacingKnown = false;
-    Orientation orientation;
+    PatientFrame orientation;
 };
 
 /// The placement of a file in which one voxel along x, y, z is a step of steps[0], steps[1], steps[2] mm in

@@ -39,7 +39,7 @@ struct VolumeInfo
 
 /// Where the axes of a volume point in the patient. Three directions make its frame: x to the patient's
 /// right, y to the front (anterior), z up (superior).
-struct Orientation
+struct PatientFrame
 {
     /// False where the file does not say; then the voxels keep the order of the file.
     bool known = false;
@@ -62,7 +62,7 @@ struct VolumeDescription
     /// Distance of voxels along x, y and z, in mm, above 0; 1 where the file does not say.
     std::array<double, 3> spacing{1, 1, 1};
     bool spacingKnown = false;
-    Orientation orientation;
+    PatientFrame orientation;
     /// What a value v of the file stands for: slope * v + intercept. Voxels arrive without it.
     double slope = 1;
     double intercept = 0;
