@@ -151,7 +151,7 @@ Result<StoredLayout> layoutOf(const MetaHeader& header, std::int64_t& volumes)
 std::optional<std::array<Vector3, 3>> directions(const MetaHeader& header)
 {
     const std::string letters = header.field({"AnatomicalOrientation"});
-    const std::string matrix = header.field({"TransformMatrix", "Rotation", "PatientFrame"});
+    const std::string matrix = header.field({"TransformMatrix", "Rotation", "Orientation"});
     std::array<Vector3, 3> axes{};
     if (letters.find('?') != std::string::npos) return std::nullopt;
     if (!matrix.empty()) {
