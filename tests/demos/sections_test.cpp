@@ -183,6 +183,24 @@ TEST_F(Sections, pagesShowTrilinearSamplesAndTheNearerOne)
         }
 }
 
+/// A leak is a failure where the sanitizers run.
+TEST_F(Sections, tenFramesEndAsTheyBegan)
+{
+    for (const std::string words :
+         {"voglBasic", "voglBasic -shells -perspective 40", "voglMPR1", "voglMPR2 -2D",
+          "voglPick -pick 48 40", "voglPick -pick 48 40 -core -2D"}) {
+        const std::size_t space = std::min(words.find(' '), words.size());
+        const auto run = [&](const std::string& more) {
+            const vo::ProgramRun ran =
+                folder.run(words.substr(0, space), kCommon + words.substr(space) + more + " -output a.png");
+            EXPECT_EQ(ran.status, 0) << words << ": " << ran.errors;
+            EXPECT_EQ(ran.errors, "") << words;
+            return vo::readFile(folder / "a.png");
+        };
+        EXPECT_EQ(run(" -frames 10"), run("")) << words;
+    }
+}
+
 TEST_F(Sections, badPlanesAndFoldsAreRefused)
 {
     for (const std::string words : {"voglMPR1 -plane 0 0 0 1", "voglMPR1 -plane 1 2 3", "voglMPR2 -fold 400",
