@@ -87,6 +87,7 @@ vo::Result<void> run(const std::vector<std::string>& arguments)
 {
     const auto request = parsedRequest(arguments);
     if (!request) return request.failure();
+    if (auto fit = vo::checkOutput(request->output, {request->input}); !fit) return fit;
     auto image = vo::openRawVolume(request->input, request->layout);
     if (!image) return image.failure();
     auto writer = vo::TiffStackWriter::create(request->output, image->info());

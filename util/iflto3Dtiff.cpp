@@ -87,6 +87,7 @@ vo::Result<vo::VolumeInfo> stackedInfo(const std::vector<std::string>& inputs,
 
 vo::Result<void> writeStack(const Request& request)
 {
+    if (auto fit = vo::checkOutput(request.output, request.inputs); !fit) return fit;
     std::optional<vo::VolumeFile> only; // kept open where there is one: it may have been decoded whole
     const auto info = stackedInfo(request.inputs, only);
     if (!info) return info.failure();

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
+#include <fstream>
+#include <filesystem>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -79,6 +82,21 @@ void showProgress(const char* program, const char* what, std::int64_t done, std:
 void warn(const char* program, const std::string& text)
 {
     std::fprintf(stderr, "%s: %s\n", program, text.c_str());
+}
+
+Result<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs)
+{
+    std::error_code none;
+    for (const std::string& input : inputs)
+        if (std::filesystem::equivalent(input, output, none))
+            return Failure{output + ": expected an output that is no input, found the file " + input};
+    if (!std::filesystem::is_regular_file(output, none) || std::filesystem::file_size(output, none) == 0)
+        return {};
+    char mark[2] = {0, 0};
+    std::ifstream(output, std::ios::binary).read(mark, 2);
+    const std::string_view begin(mark, 2);
+    if (begin == "II" || begin == "MM") return {};
+    return Failure{output + ": expected a new file or a TIFF file to replace, found another file"};
 }
 
 Result<std::int64_t> parsedWhole(const std::string& name, const std::string& text, std::int64_t least,

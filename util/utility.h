@@ -30,6 +30,10 @@ void showProgress(const char* program, const char* what, std::int64_t done, std:
 /// Prints a line on standard error, with the program's name in front.
 void warn(const char* program, const std::string& text);
 
+/// A failure when the output is one of the inputs, or a file that is no TIFF: a forgotten output's name would
+/// cost the last input.
+Result<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs);
+
 /// A whole number from `least` to `most`; `name` begins the message.
 Result<std::int64_t> parsedWhole(const std::string& name, const std::string& text, std::int64_t least,
                                  std::int64_t most = 0x7fffffff);

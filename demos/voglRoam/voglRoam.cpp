@@ -29,7 +29,7 @@ static void readInterest(vo::Arguments& arguments)
     interest.emplace();
     for (double& place : interest->middle)
         place = arguments.number(-1e6, 1e6);
-    interest->side = arguments.number(1, 1e6, "a side of 1 voxel or more");
+    interest->side = arguments.number(1, 1e6, "a side in voxels");
 }
 
 static bool moveInterest(int key);

@@ -32,7 +32,7 @@ static bool moveRamps(vo::Button button, bool pressed, double x, double y)
 
 static int readTag(vo::Arguments& arguments)
 {
-    return arguments.integer(0, kMostTags, "a tag from 0 to 255");
+    return arguments.integer(0, kMostTags, "a tag");
 }
 
 const VoglProgram voglProgram = {

@@ -115,6 +115,20 @@ TEST_F(Utilities, badRawImagesGiveOneLineAndNoFile)
     EXPECT_EQ(folder_.fileCount(), 1);
 }
 
+TEST_F(Utilities, filesThatAreNoTiffAndInputsAreNotReplaced)
+{
+    writeFile(folder_ / "a.raw", std::string(30, 'r'));
+    writeFile(folder_ / "b.raw", std::string(30, 'q'));
+    ASSERT_EQ(run(IFLFROMBIN " 0 6 5 1 uchar a.raw a.tif").status, 0);
+    ASSERT_EQ(run(IFLFROMBIN " 0 6 5 1 uchar b.raw a.tif").status, 0) << "a TIFF is replaced";
+    expectFails(IFLFROMBIN " 0 6 5 1 uchar a.raw a.raw", {"a.raw", "no input"});
+    expectFails(IFLFROMBIN " 0 6 5 1 uchar a.raw b.raw", {"b.raw", "TIFF"});
+    expectFails(IFLTO3DTIFF " a.tif ./a.tif", {"a.tif", "no input"});
+    expectFails(IFLTO3DTIFF " a.tif b.raw", {"b.raw", "TIFF"});
+    EXPECT_EQ(run("grep -c rrrrrr a.raw").output, "1\n");
+    EXPECT_EQ(run("grep -c qqqqqq b.raw").output, "1\n");
+}
+
 TEST_F(Utilities, slicesOfAnyFormatBecomeAVolume)
 {
     const VolumeTruth truth({{6, 5, 4}, 1, ChannelType::uint8});
@@ -183,9 +197,6 @@ TEST_F(Utilities, slicesThatDoNotFitGiveOneLineAndNoFile)
     expectFails(program + " a.tif none.tif o.tif", {"none.tif: cannot open"});
     expectFails(program + " a.tif a.tif no/o.tif", {"no/o.tif: cannot write"});
     expectFails(program + " -x a.tif o.tif", {"found the option \"-x\""});
-    // An output that is an input, too: the input stays until the output is complete.
-    ASSERT_EQ(run(program + " a.tif a.tif a.tif").status, 0);
-    EXPECT_EQ(openVolume(folder_ / "a.tif")->info().size[2], 2);
 }
 
 TEST_F(Utilities, volinfoPrintsWhatAFileHolds)
