@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "utility.h"
+#include "volume_rows.h"
 
 namespace vo {
 namespace {
@@ -33,29 +33,6 @@ void seeValues(const VolumeInfo& info, std::span<const std::byte> bytes, const S
     case ChannelType::int16: return seeEach<std::int16_t>(bytes, channels, see);
     case ChannelType::float32: return seeEach<float>(bytes, channels, see);
     }
-}
-
-/// Calls see(voxels) for all voxels, some rows at a time.
-template <class See>
-Result<void> seeVoxels(const char* program, const char* what, const std::string& path, VolumeFile& volume,
-                       const See& see)
-{
-    constexpr std::int64_t kBytesAtOnce = 4 << 20;
-    const auto& size = volume.info().size;
-    const std::int64_t rowBytes = size[0] * volume.info().bytesPerVoxel();
-    const std::int64_t rowsAtOnce = std::clamp<std::int64_t>(kBytesAtOnce / rowBytes, 1, size[1]);
-    std::vector<std::byte> rows;
-    for (std::int64_t z = 0; z < size[2]; ++z) {
-        for (std::int64_t y = 0; y < size[1]; y += rowsAtOnce) {
-            if (interrupted()) return Failure{path + ": interrupted"};
-            const std::int64_t count = std::min(rowsAtOnce, size[1] - y);
-            rows.resize(static_cast<std::size_t>(count * rowBytes));
-            if (auto read = volume.readBrick({{0, y, z}, {size[0], count, 1}}, rows); !read) return read;
-            see(std::span<const std::byte>(rows));
-        }
-        showProgress(program, what, z + 1, size[2]);
-    }
-    return {};
 }
 
 /// Parts of the range, and the width of one.
@@ -91,8 +68,14 @@ Result<std::vector<ChannelStatistics>> statisticsOf(const char* program, const s
             channel.mean += value;
         }
     };
-    auto seen = seeVoxels(program, "range of slice", path, volume,
-                          [&](std::span<const std::byte> voxels) { seeValues(info, voxels, note); });
+    const auto see = [&](const char* what, const auto& each) {
+        return readRows({program, what, path, "interrupted"}, volume,
+                        [&](std::span<const std::byte> voxels) -> Result<void> {
+                            seeValues(info, voxels, each);
+                            return {};
+                        });
+    };
+    auto seen = see("range of slice", note);
     if (!seen) return seen.failure();
     for (std::size_t i = 0; i < channels.size(); ++i) {
         if (counts[i] > 0) channels[i].mean /= double(counts[i]);
@@ -109,8 +92,7 @@ Result<std::vector<ChannelStatistics>> statisticsOf(const char* program, const s
         const double part = isEach ? value - channel.low : (value - channel.low) / range * double(parts);
         ++channel.histogram[range > 0 ? std::min(static_cast<std::size_t>(part), parts - 1) : 0];
     };
-    seen = seeVoxels(program, "histogram of slice", path, volume,
-                     [&](std::span<const std::byte> voxels) { seeValues(info, voxels, count); });
+    seen = see("histogram of slice", count);
     if (!seen) return seen.failure();
     return channels;
 }
