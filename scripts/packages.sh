@@ -8,8 +8,8 @@ set -euo pipefail
 packages=(
     # building
     g++ cmake ninja-build make pkg-config
-    # the library: vectors, the generator of the OpenGL loader, GL/gl.h
-    libglm-dev python3-glad libgl-dev
+    # the library: vectors, the generator of the OpenGL loader, GL/gl.h, SIMD, threads
+    libglm-dev python3-glad libgl-dev libhwy-dev libtbb-dev
     # files
     libtiff-dev libpng-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev
     # demos: windows; drawing without a window or a graphics card

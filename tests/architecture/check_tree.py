@@ -29,6 +29,8 @@ HOMES = [
     ("GLFW", r"\bglfw[A-Z]\w*\s*\(", r"^GLFW/", ["demos/common/", "tests/install/"]),
     ("EGL", r"\begl[A-Z]\w*\s*\(", r"^EGL/", ["demos/common/offscreen/"]),
     ("OSMesa", r"\bOSMesa[A-Z]\w*\s*\(", r"^GL/osmesa", ["demos/common/offscreen/"]),
+    ("Highway", None, r"^hwy/", ["src/cast/", "src/polygonize/", "tests/cast/"]),
+    ("oneTBB", r"\btbb::|\boneapi::", r"^(tbb|oneapi)/", ["src/core/"]),
     ("CGAL", r"\bCGAL::", r"^CGAL/", ["vout/"]),
 ]
 

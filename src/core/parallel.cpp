@@ -1,0 +1,36 @@
+#include "core/parallel.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+
+namespace vo {
+
+int usualThreads()
+{
+    const int machine = tbb::this_task_arena::max_concurrency();
+    const char* wanted = std::getenv("VO_THREADS");
+    if (!wanted) return machine;
+    int threads = 0;
+    const char* end = wanted + std::strlen(wanted);
+    const auto [stop, error] = std::from_chars(wanted, end, threads);
+    return error == std::errc() && stop == end && threads >= 1 ? std::min(threads, machine) : machine;
+}
+
+void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body)
+{
+    threads = threads == 0 ? usualThreads() : std::min(threads, tbb::this_task_arena::max_concurrency());
+    if (threads == 1 || count < 2) {
+        for (std::size_t i = 0; i < count; ++i)
+            body(i);
+        return;
+    }
+    tbb::task_arena arena(threads);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+}
+
+} // namespace vo
