@@ -2,7 +2,7 @@
 
 #include "gl.h"
 
-#include "camera.h"
+#include "volume_view/camera.h"
 
 /// What the vogl programs set by fixed functions, in a compatibility and in a core context alike: OpenGL's
 /// own state in the first, voState's in the second.

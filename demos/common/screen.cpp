@@ -1,7 +1,7 @@
 #include "screen.h"
 
 #include "offscreen/offscreen.h"
-#include "picture.h"
+#include "volume_view/picture.h"
 #include "window.h"
 
 #include <vo/FloatTarget.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "camera.h"
+#include "volume_view/camera.h"
 
 namespace vo {
 

@@ -3,10 +3,10 @@
 // Before any header of <vo/...>.
 #include "gl.h"
 
-#include "options.h"
+#include "volume_view/options.h"
 
-#include "lookup_file.h"
-#include "lookup_ramp.h"
+#include "volume_view/lookup_file.h"
+#include "volume_view/lookup_ramp.h"
 
 #include <vo/Volumizer.h>
 

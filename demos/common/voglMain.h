@@ -4,7 +4,7 @@
 #include "gl.h"
 
 #include "matrices.h"
-#include "options.h"
+#include "volume_view/options.h"
 #include "screen.h"
 
 #include <vo/Volumizer.h>

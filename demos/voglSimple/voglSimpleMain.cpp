@@ -4,7 +4,7 @@
 // Before any header of <vo/...>.
 #include "gl.h"
 
-#include "options.h"
+#include "volume_view/options.h"
 #include "screen.h"
 
 #include <vo/AppearanceActions.h>

@@ -1,7 +1,7 @@
 #include "offscreen/offscreen.h"
 
 #include "chapter4_screen.h"
-#include "picture.h"
+#include "volume_view/picture.h"
 
 #include <cstdio>
 #include <memory>

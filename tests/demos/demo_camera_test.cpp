@@ -1,4 +1,4 @@
-#include "camera.h"
+#include "volume_view/camera.h"
 #include "trackball.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "frame_times.h"
-#include "lookup_ramp.h"
-#include "picture.h"
+#include "volume_view/lookup_ramp.h"
+#include "volume_view/picture.h"
 
 #include "volume_io/volume_io.h"
 

@@ -1,4 +1,4 @@
-#include "lookup_file.h"
+#include "volume_view/lookup_file.h"
 
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "volume_view/options.h"
 
 #include <gtest/gtest.h>
 
