@@ -8,6 +8,7 @@ file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${
 
 # The libraries and their headers.
 install(TARGETS vo ifl EXPORT volumizer-targets)
+install(TARGETS volumizer_dicom LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
 foreach(program ${volumizer_programs})

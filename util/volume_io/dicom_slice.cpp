@@ -445,17 +445,6 @@ void sendPixels(const IsolatedProcess::Send& out, const DicomSlice& slice, std::
 
 } // namespace
 
-StoredLayout DicomSlice::layout() const
-{
-    StoredLayout layout;
-    layout.size = {columns, rows, frames};
-    layout.channels = channels;
-    layout.type = bitsAllocated == 8    ? (isSigned ? StoredType::int8 : StoredType::uint8)
-                  : bitsAllocated == 16 ? (isSigned ? StoredType::int16 : StoredType::uint16)
-                                        : (isSigned ? StoredType::int32 : StoredType::uint32);
-    return layout;
-}
-
 std::vector<DicomHeader> readDicomHeaders(const std::vector<std::string>& paths)
 {
     std::vector<DicomHeader> headers;
@@ -507,3 +496,7 @@ Result<void> readDicomPixels(const std::vector<DicomSlice>& slices, std::span<st
 }
 
 } // namespace vo
+
+extern "C" const vo::DicomFunctions volumizerDicom;
+extern "C" __attribute__((visibility("default")))
+const vo::DicomFunctions volumizerDicom = {vo::readDicomHeaders, vo::readDicomPixels};

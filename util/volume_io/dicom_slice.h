@@ -6,7 +6,7 @@
 
 namespace vo {
 
-/// What a DICOM file says of its picture or pictures. The only part that knows GDCM.
+/// What a DICOM file says of its picture or pictures.
 struct DicomSlice
 {
     std::string path;
@@ -28,7 +28,16 @@ struct DicomSlice
     std::int64_t instance = 0;
     bool isCompressed = false;
 
-    StoredLayout layout() const;
+    StoredLayout layout() const
+    {
+        StoredLayout layout;
+        layout.size = {columns, rows, frames};
+        layout.channels = channels;
+        layout.type = bitsAllocated == 8    ? (isSigned ? StoredType::int8 : StoredType::uint8)
+                      : bitsAllocated == 16 ? (isSigned ? StoredType::int16 : StoredType::uint16)
+                                            : (isSigned ? StoredType::int32 : StoredType::uint32);
+        return layout;
+    }
 };
 
 /// What a file turned out to be: a picture, no DICOM picture at all (nothing), or one that cannot be read.
@@ -41,5 +50,14 @@ std::vector<DicomHeader> readDicomHeaders(const std::vector<std::string>& paths)
 /// side by side, in this machine's byte order, bits that belong to no value cleared or filled with the sign.
 /// All files have as many bytes of pixels.
 Result<void> readDicomPixels(const std::vector<DicomSlice>& slices, std::span<std::byte> out);
+
+/// The two functions above as a library of its own offers them, under the name volumizerDicom: GDCM and what
+/// it needs take longer to load than most files take to read. In programs the functions load that library;
+/// where it is missing, they answer with failures that say so.
+struct DicomFunctions
+{
+    std::vector<DicomHeader> (*readHeaders)(const std::vector<std::string>& paths);
+    Result<void> (*readPixels)(const std::vector<DicomSlice>& slices, std::span<std::byte> out);
+};
 
 } // namespace vo
