@@ -44,9 +44,12 @@ DriverQuirks findQuirks(const GladGLContext& gl)
 {
     DriverQuirks quirks;
     const char* renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    const bool llvmpipe = renderer && std::strstr(renderer, "llvmpipe");
     // Mesa's software rasteriser takes an 8-bit path for R8, RG8 and RGBA8 with CLAMP_TO_EDGE: 11 values over
     // a ramp where 256 are right.
-    quirks.filters8BitTexturesCoarsely = renderer && std::strstr(renderer, "llvmpipe");
+    quirks.filters8BitTexturesCoarsely = llvmpipe;
+    // Everything else it filters in floats, where hardware may have 8 bits of weight.
+    quirks.filtersFloatTexturesExactly = llvmpipe;
     return quirks;
 }
 

@@ -25,6 +25,8 @@ struct DriverQuirks
 {
     /// 8-bit textures are filtered with 8-bit arithmetic: store them with 16 bits.
     bool filters8BitTexturesCoarsely = false;
+    /// Textures of floats are filtered with weights as exact as floats: tables need no mixing in the shader.
+    bool filtersFloatTexturesExactly = false;
 };
 
 /// A table as it stands now; load() replaces the entries and gives them a new serial number.

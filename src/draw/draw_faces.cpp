@@ -33,6 +33,7 @@ ProgramVariant variantFor(const ContextRecord& context, const DrawState& state, 
     variant.projectiveTexture = !isAffine(state.textureMatrix);
     const bool table = postTable(context) != nullptr;
     variant.lookup = !table ? Lookup::none : state.oneChannel ? Lookup::byRed : Lookup::perComponent;
+    variant.filteredLookup = table && context.quirks.filtersFloatTexturesExactly;
     if (state.replace)
         variant.environment = state.textureHasAlpha || table ? TextureEnvironment::replace
                                                              : TextureEnvironment::replaceColorOnly;
@@ -46,14 +47,16 @@ void bindTable(ContextRecord& context, const DrawState& state)
     const GladGLContext& gl = context.gl;
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(state.tableUnit));
     if (context.tableTexture == 0) gl.GenTextures(1, &context.tableTexture);
-    gl.BindTexture(GL_TEXTURE_2D, context.tableTexture);
+    gl.BindTexture(GL_TEXTURE_1D, context.tableTexture);
     if (context.tableTextureSerial != slot->serial) {
         const ScopedUploadState scope(gl, context.core);
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, slot->table.size(), 1, 0, GL_RGBA, GL_FLOAT,
+        gl.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA32F, slot->table.size(), 0, GL_RGBA, GL_FLOAT,
                       slot->table.rgba.data());
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        const GLint filter = context.quirks.filtersFloatTexturesExactly ? GL_LINEAR : GL_NEAREST;
+        gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, filter);
+        gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, filter);
+        gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl.TexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAX_LEVEL, 0);
         context.tableTextureSerial = slot->serial;
     }
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(state.voxelUnit));

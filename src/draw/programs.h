@@ -21,7 +21,8 @@ struct ProgramVariant
     bool flat = false;
     TextureEnvironment environment = TextureEnvironment::modulate;
     Lookup lookup = Lookup::none;
-    int clipDistances = 0; ///< planes 0 to n - 1 are computed
+    bool filteredLookup = false; ///< by the driver's linear filter
+    int clipDistances = 0;       ///< planes 0 to n - 1 are computed
     bool opacityPerLength = false;
 
     unsigned key() const;

@@ -81,7 +81,7 @@ ScopedDrawState::ScopedDrawState(const GladGLContext& gl, int voxelUnit, int tab
     gl_.GetIntegerv(GL_SAMPLER_BINDING, &voxelSampler_);
     gl_.BindSampler(static_cast<GLuint>(voxelUnit_), 0);
     gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(tableUnit_));
-    gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &tableTexture_);
+    gl_.GetIntegerv(GL_TEXTURE_BINDING_1D, &tableTexture_);
     gl_.GetIntegerv(GL_SAMPLER_BINDING, &tableSampler_);
     gl_.BindSampler(static_cast<GLuint>(tableUnit_), 0);
 }
@@ -91,7 +91,7 @@ ScopedDrawState::~ScopedDrawState()
     gl_.BindSampler(static_cast<GLuint>(tableUnit_), static_cast<GLuint>(tableSampler_));
     gl_.BindSampler(static_cast<GLuint>(voxelUnit_), static_cast<GLuint>(voxelSampler_));
     gl_.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(tableUnit_));
-    gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(tableTexture_));
+    gl_.BindTexture(GL_TEXTURE_1D, static_cast<GLuint>(tableTexture_));
     gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));
     gl_.BindVertexArray(static_cast<GLuint>(vertexArray_));
     gl_.BindBuffer(GL_ARRAY_BUFFER, static_cast<GLuint>(arrayBuffer_));

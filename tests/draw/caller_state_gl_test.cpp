@@ -202,7 +202,8 @@ std::map<std::string, GLint> stateOf(const GladGLContext& gl)
         GLint active = 0, value = 0;
         gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
         gl.ActiveTexture(unit);
-        for (const GLenum name : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_SAMPLER_BINDING}) {
+        for (const GLenum name :
+             {GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_SAMPLER_BINDING}) {
             gl.GetIntegerv(name, &value);
             state[std::to_string(unit) + " " + std::to_string(name)] = value;
         }
