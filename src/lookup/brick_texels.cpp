@@ -17,8 +17,31 @@ std::size_t numberOf(const VoxelSize& size, const std::array<int, 3>& index)
     return at(0) + static_cast<std::size_t>(size.x) * (at(1) + static_cast<std::size_t>(size.y) * at(2));
 }
 
-/// Of a type with at most 16 bits: its texture is one of unsigned numbers, 0 to 1.
-bool clamps(VoxelType type)
+glm::dvec4 texelAt(const BrickTexels& brick, std::size_t number)
+{
+    const std::size_t bytes = voxelBytes(brick.format);
+    float c[4];
+    decodeVoxels(brick.voxels.subspan(number * bytes, bytes), brick.format, 1, c);
+    if (brick.classified) {
+        applyTable(*brick.classified, c, 1);
+        return {c[0], c[1], c[2], c[3]};
+    }
+    if (clampsTexels(brick.format.type))
+        for (float& value : c)
+            value = std::clamp(value, 0.0f, 1.0f);
+    switch (brick.texel) {
+    case TexelFormat::intensity: return {c[0], c[0], c[0], c[0]};
+    case TexelFormat::luminance: return {c[0], c[0], c[0], 1.0};
+    case TexelFormat::luminanceAlpha: return {c[0], c[0], c[0], c[3]};
+    case TexelFormat::rgba: return {c[0], c[1], c[2], c[3]};
+    case TexelFormat::rgb: return {c[0], c[1], c[2], 1.0};
+    }
+    return glm::dvec4(0.0);
+}
+
+} // namespace
+
+bool clampsTexels(VoxelType type)
 {
     switch (type) {
     case VoxelType::uint32:
@@ -36,30 +59,6 @@ bool clamps(VoxelType type)
     }
     return true;
 }
-
-glm::dvec4 texelAt(const BrickTexels& brick, std::size_t number)
-{
-    const std::size_t bytes = voxelBytes(brick.format);
-    float c[4];
-    decodeVoxels(brick.voxels.subspan(number * bytes, bytes), brick.format, 1, c);
-    if (brick.classified) {
-        applyTable(*brick.classified, c, 1);
-        return {c[0], c[1], c[2], c[3]};
-    }
-    if (clamps(brick.format.type))
-        for (float& value : c)
-            value = std::clamp(value, 0.0f, 1.0f);
-    switch (brick.texel) {
-    case TexelFormat::intensity: return {c[0], c[0], c[0], c[0]};
-    case TexelFormat::luminance: return {c[0], c[0], c[0], 1.0};
-    case TexelFormat::luminanceAlpha: return {c[0], c[0], c[0], c[3]};
-    case TexelFormat::rgba: return {c[0], c[1], c[2], c[3]};
-    case TexelFormat::rgb: return {c[0], c[1], c[2], 1.0};
-    }
-    return glm::dvec4(0.0);
-}
-
-} // namespace
 
 std::size_t nearestVoxel(const VoxelSize& size, const glm::dvec3& place)
 {

@@ -23,6 +23,10 @@ struct BrickTexels
     const Table* classified = nullptr; ///< the table before interpolation, if one is active
 };
 
+/// True for voxels whose texture holds unsigned numbers, 0 to 1: those of at most 16 bits a channel, and
+/// packed ones.
+bool clampsTexels(VoxelType type);
+
 /// Number, x fastest, of the voxel that holds a place; beyond the brick the outermost.
 std::size_t nearestVoxel(const VoxelSize& size, const glm::dvec3& place);
 

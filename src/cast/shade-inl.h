@@ -1,0 +1,116 @@
+// Fragments of samples, one a lane. Included once for each target of Highway.
+
+#if defined(VO_CAST_SHADE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VO_CAST_SHADE_INL_H
+#undef VO_CAST_SHADE_INL_H
+#else
+#define VO_CAST_SHADE_INL_H
+#endif
+
+#include "cast/sample-inl.h"
+#include "cast/shading_plan.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace vo {
+namespace HWY_NAMESPACE {
+
+/// A shading plan's functions of one value. `rawUnit` is the sampler's answer that stands for 1.
+class LinearShade
+{
+public:
+    LinearShade(const ShadingPlan& plan, float rawUnit)
+    {
+        for (std::size_t c = 0; c < 4; ++c) {
+            slope_[c] = plan.slope[c] / rawUnit;
+            base_[c] = plan.base[c];
+        }
+    }
+
+    struct Key
+    {
+        Floats raw;
+    };
+    HWY_INLINE Key key(Floats raw) const { return {raw}; }
+    HWY_INLINE Floats component(const Key& key, std::size_t c) const
+    {
+        return hn::MulAdd(key.raw, hn::Set(kFloats, slope_[c]), hn::Set(kFloats, base_[c]));
+    }
+
+private:
+    float slope_[4];
+    float base_[4];
+};
+
+class TableShade
+{
+public:
+    TableShade(const ShadingPlan& plan, float rawUnit)
+        : scale_(static_cast<float>(plan.last) / rawUnit), last_(static_cast<float>(plan.last))
+    {
+        for (std::size_t c = 0; c < 4; ++c)
+            entries_[c] = plan.entries[c].data();
+    }
+
+    struct Key
+    {
+        Ints entry; ///< twice its number
+        Floats weight;
+    };
+    HWY_INLINE Key key(Floats raw) const
+    {
+        // Written so that a NaN counts as 0.
+        const Floats zero = hn::Zero(kFloats);
+        const Floats scaled = hn::Min(raw * hn::Set(kFloats, scale_), hn::Set(kFloats, last_));
+        const Floats place = hn::IfThenElseZero(raw > zero, scaled);
+        const Ints entry = hn::ConvertTo(kInts, place);
+        return {entry + entry, place - hn::ConvertTo(kFloats, entry)};
+    }
+    HWY_INLINE Floats component(const Key& key, std::size_t c) const
+    {
+        const Floats entry = hn::GatherIndex(kFloats, entries_[c], key.entry);
+        const Floats difference = hn::GatherIndex(kFloats, entries_[c] + 1, key.entry);
+        return hn::MulAdd(key.weight, difference, entry);
+    }
+
+private:
+    float scale_;
+    float last_;
+    const float* entries_[4];
+};
+
+/// 1 - (1 - alpha)^units.
+HWY_INLINE Floats opacityOver(Floats alpha, Floats units)
+{
+    const Floats one = hn::Set(kFloats, 1.0f);
+    const auto set = [](float value) { return hn::Set(kFloats, value); };
+    const Floats clear = one - hn::Min(hn::Max(alpha, hn::Zero(kFloats)), set(1.0f - 1e-7f));
+    // The logarithm: exponent, and a series in (m - 1) / (m + 1) for the mantissa m in [0.7, 1.4].
+    const Ints bits = hn::BitCast(kInts, clear);
+    const Ints exponent = hn::ShiftRight<23>(bits - hn::Set(kInts, 0x3f3504f3));
+    const Floats m = hn::BitCast(kFloats, bits - hn::ShiftLeft<23>(exponent));
+    const Floats t = (m - one) / (m + one);
+    const Floats square = t * t;
+    Floats series = hn::MulAdd(square, set(2.8853901f / 9.0f), set(2.8853901f / 7.0f));
+    series = hn::MulAdd(series, square, set(2.8853901f / 5.0f));
+    series = hn::MulAdd(series, square, set(2.8853901f / 3.0f));
+    series = hn::MulAdd(series, square, set(2.8853901f));
+    const Floats logarithm = hn::MulAdd(series, t, hn::ConvertTo(kFloats, exponent));
+    // The power of 2: Taylor's series of the fraction.
+    const Floats wanted = hn::Max(logarithm * units, set(-126.0f));
+    const Floats whole = hn::Round(wanted);
+    const Floats f = (wanted - whole) * set(0.69314718f);
+    Floats power = hn::MulAdd(f, set(1.0f / 720.0f), set(1.0f / 120.0f));
+    power = hn::MulAdd(power, f, set(1.0f / 24.0f));
+    power = hn::MulAdd(power, f, set(1.0f / 6.0f));
+    power = hn::MulAdd(power, f, set(0.5f));
+    power = hn::MulAdd(power, f, one);
+    power = hn::MulAdd(power, f, one);
+    const Ints scaled = hn::BitCast(kInts, power) + hn::ShiftLeft<23>(hn::NearestInt(whole));
+    return one - hn::BitCast(kFloats, scaled);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace vo
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,68 @@
+#include "cast/shading_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vo {
+
+namespace {
+
+void setTable(const Table& table, const std::array<float, 4>& factor, ShadingPlan& plan)
+{
+    plan.table = true;
+    plan.last = table.size() - 1;
+    const auto entry = [&](int i, std::size_t c) {
+        return table.rgba[4 * static_cast<std::size_t>(i) + c] * factor[c];
+    };
+    for (std::size_t c = 0; c < 4; ++c) {
+        for (int i = 0; i <= plan.last; ++i) {
+            const float next = entry(std::min(i + 1, plan.last), c);
+            plan.entries[c].push_back(entry(i, c));
+            plan.entries[c].push_back(next - entry(i, c));
+        }
+        plan.notZero[c].push_back(0);
+        for (int i = 0; i <= plan.last; ++i)
+            plan.notZero[c].push_back(plan.notZero[c].back() + (entry(i, c) != 0.0f));
+    }
+}
+
+} // namespace
+
+ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool classified)
+{
+    ShadingPlan plan;
+    plan.oneChannel = !classified && (texel == TexelFormat::intensity || texel == TexelFormat::luminance);
+    const bool hasAlpha = classified || (texel != TexelFormat::luminance && texel != TexelFormat::rgb);
+    std::array<float, 4> factor{1.0f, 1.0f, 1.0f, 1.0f};
+    if (!shading.replace) factor = {shading.color.r, shading.color.g, shading.color.b, shading.color.a};
+    if (shading.table) {
+        setTable(*shading.table, factor, plan);
+    } else {
+        plan.slope = factor;
+        // Alpha is 1 where the texture has none; replacing keeps the colour's.
+        if (!hasAlpha) {
+            plan.slope[3] = 0.0f;
+            plan.base[3] = shading.color.a;
+        }
+    }
+    plan.grey = plan.oneChannel && plan.entries[0] == plan.entries[1] && plan.entries[0] == plan.entries[2] &&
+                plan.slope[0] == plan.slope[1] && plan.slope[0] == plan.slope[2];
+    return plan;
+}
+
+bool ShadingPlan::isZero(int component, float low, float high, float unit) const
+{
+    const auto c = static_cast<std::size_t>(component);
+    if (!(low <= high)) return false;
+    if (!table) return base[c] == 0.0f && (slope[c] == 0.0f || (low == 0.0f && high == 0.0f));
+    // The same arithmetic as a sample's.
+    const float scale = static_cast<float>(last) / unit;
+    const auto place = [&](float raw) {
+        return raw > 0.0f ? std::min(raw * scale, static_cast<float>(last)) : 0.0f;
+    };
+    const auto first = static_cast<std::size_t>(place(low));
+    const auto end = static_cast<std::size_t>(std::ceil(place(high))) + 1;
+    return notZero[c][end] == notZero[c][first];
+}
+
+} // namespace vo

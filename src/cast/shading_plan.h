@@ -1,0 +1,33 @@
+#pragma once
+
+#include "cast/cast_request.h"
+
+#include <array>
+#include <vector>
+
+namespace vo {
+
+/// What becomes of a sample, component by component: value * slope + base, or a table's entries, the texture
+/// environment and the colour worked into them.
+struct ShadingPlan
+{
+    bool oneChannel = true; ///< all components come from the one value
+    bool table = false;
+    bool grey = false; ///< red, green and blue are always equal
+    int last = 0;      ///< number of the last entry
+    /// (entry, next entry - entry) for each entry; the last one's difference is 0.
+    std::array<std::vector<float>, 4> entries;
+    std::array<float, 4> slope{};
+    std::array<float, 4> base{};
+
+    /// True when component c is 0 for all values from low to high, as stored (`unit` stands for 1).
+    bool isZero(int component, float low, float high, float unit) const;
+
+    std::array<std::vector<int>, 4> notZero; ///< number of entries before each that are not 0
+};
+
+/// For samples of one channel, or of four; `texel` as the bricks have it, `classified` by a table before
+/// interpolation.
+ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool classified);
+
+} // namespace vo

@@ -1,0 +1,489 @@
+#include "cast/walk_rays.h"
+
+// Targets that add nothing here to those that are kept, and vectors of unknown length.
+#define HWY_DISABLED_TARGETS                                                                                 \
+    (HWY_AVX3_DL | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "cast/walk_rays.cpp"
+#include <hwy/foreach_target.h>
+
+#include "cast/sample-inl.h"
+#include "cast/shade-inl.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace vo {
+namespace HWY_NAMESPACE {
+
+using DoubleTag = hn::CappedTag<double, 8>;
+using Doubles = hn::Vec<DoubleTag>;
+constexpr DoubleTag kDoubles;
+constexpr int kDoubleLanes = static_cast<int>(HWY_LANES(double) < 8 ? HWY_LANES(double) : 8);
+
+/// Pixels that go together: 4 x 4, 4 x 2, 2 x 2.
+constexpr int kPacketWidth = kLanes >= 8 ? 4 : kLanes >= 4 ? 2 : 1;
+constexpr int kPacketHeight = kLanes / kPacketWidth;
+/// Samples between two looks for empty blocks.
+constexpr int kRun = 4;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The rays of a packet. Places are in grid coordinates times kPlaceUnit.
+struct Packet
+{
+    alignas(64) float start[3][kLanes]; ///< of the first sample
+    alignas(64) float step[3][kLanes];
+    alignas(64) float count[kLanes]; ///< samples
+    alignas(64) float units[kLanes]; ///< of opacity a sample
+    bool empty = true;
+};
+
+// ---- Where rays begin and end
+
+struct PixelCentres
+{
+    Doubles x, y;
+
+    HWY_INLINE Doubles operator()(const PixelRamp& ramp) const
+    {
+        return hn::MulAdd(hn::Set(kDoubles, ramp.dx), x,
+                          hn::MulAdd(hn::Set(kDoubles, ramp.dy), y, hn::Set(kDoubles, ramp.at)));
+    }
+};
+
+struct RayRange
+{
+    Doubles low, high;
+
+    HWY_INLINE RayRange() : low(hn::Set(kDoubles, -kInfinity)), high(hn::Set(kDoubles, kInfinity)) {}
+
+    /// Keeps t where origin + t * direction <= slack.
+    HWY_INLINE void bound(Doubles origin, Doubles direction, double slack)
+    {
+        const Doubles zero = hn::Zero(kDoubles);
+        const Doubles room = hn::Set(kDoubles, slack) - origin;
+        const Doubles t = room / direction;
+        high = hn::IfThenElse(direction > zero, hn::Min(high, t), high);
+        low = hn::IfThenElse(direction < zero, hn::Max(low, t), low);
+        const auto outside = hn::And(direction == zero, room < zero);
+        low = hn::IfThenElse(outside, hn::Set(kDoubles, kInfinity), low);
+    }
+};
+
+Doubles lengthOf(const Doubles (&v)[3])
+{
+    return hn::Sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+/// Lengths of opacity between two samples, for each ray.
+Doubles unitsOf(const glm::dmat3& gauge, const Doubles (&direction)[3])
+{
+    Doubles measured[3];
+    for (int row = 0; row < 3; ++row) {
+        measured[row] = hn::Zero(kDoubles);
+        for (int column = 0; column < 3; ++column)
+            measured[row] =
+                hn::MulAdd(hn::Set(kDoubles, gauge[column][row]), direction[column], measured[row]);
+    }
+    return lengthOf(direction) / lengthOf(measured);
+}
+
+/// Keeps what lies before the caller's depths.
+void boundByDepth(const RayJob& job, const PixelCentres& at, const double* pixelX, const double* pixelY,
+                  RayRange& range)
+{
+    const CastDepth& depth = *job.depth;
+    const double span = depth.farDepth - depth.nearDepth;
+    alignas(64) double limit[kDoubleLanes];
+    for (int lane = 0; lane < kDoubleLanes; ++lane) {
+        const auto pixel =
+            static_cast<std::size_t>(pixelY[lane]) * static_cast<std::size_t>(job.viewportWidth) +
+            static_cast<std::size_t>(pixelX[lane]);
+        const double there = depth.depths[pixel];
+        if (span != 0.0)
+            limit[lane] = 2.0 * (there - depth.nearDepth) / span - 1.0;
+        else if (depth.orEqual ? depth.nearDepth <= there : depth.nearDepth < there)
+            limit[lane] = 2.0;
+        else
+            limit[lane] = -2.0;
+    }
+    const Doubles most = hn::Load(kDoubles, limit);
+    const Doubles side = hn::Set(kDoubles, span < 0.0 ? -1.0 : 1.0);
+    const RayBound &z = job.frame->clipZ, &w = job.frame->clipW;
+    range.bound(side * (at(z.origin) - most * at(w.origin)),
+                side * (at(z.direction) - most * at(w.direction)), depth.orEqual ? 1e-9 : 0.0);
+}
+
+/// The rays of kDoubleLanes pixels, from `lane` of the packet on.
+void setRays(const RayJob& job, const double* pixelX, const double* pixelY, int lane, Packet& packet)
+{
+    const RayFrame& frame = *job.frame;
+    const PixelCentres at{hn::Load(kDoubles, pixelX), hn::Load(kDoubles, pixelY)};
+    const Doubles zero = hn::Zero(kDoubles);
+    Doubles origin[3], direction[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        origin[axis] = at(frame.origin[axis]);
+        direction[axis] = at(frame.direction[axis]);
+    }
+    Doubles along = at(frame.along);
+    if (frame.shells) {
+        Doubles scaled[3];
+        for (int axis = 0; axis < 3; ++axis)
+            scaled[axis] = direction[axis] * hn::Set(kDoubles, 1.0 / frame.scale[axis]);
+        along = lengthOf(scaled);
+    }
+    RayRange range;
+    for (const RayBound& bound : frame.bounds)
+        range.bound(at(bound.origin), at(bound.direction), bound.slack);
+    if (job.depth) boundByDepth(job, at, pixelX, pixelY, range);
+
+    const Doubles nearest = at(frame.nearest);
+    const Doubles perSpacing = hn::Set(kDoubles, 1.0 / frame.spacing);
+    const Doubles a = (range.low * along - nearest) * perSpacing;
+    const Doubles b = (range.high * along - nearest) * perSpacing;
+    const auto backwards = along < zero;
+    const Doubles first = hn::Max(hn::Ceil(hn::IfThenElse(backwards, b, a)), zero);
+    const Doubles last =
+        hn::Min(hn::Floor(hn::IfThenElse(backwards, a, b)), hn::Set(kDoubles, frame.count - 1.0));
+    // Neither for a NaN, nor for rays along the planes.
+    const auto meets = hn::And(first <= last, hn::And(range.low <= range.high, along != zero));
+    const Doubles count = hn::IfThenElseZero(meets, last - first + hn::Set(kDoubles, 1.0));
+
+    alignas(64) double values[kDoubleLanes];
+    const auto put = [&](Doubles from, float* to) {
+        hn::Store(from, kDoubles, values);
+        for (int i = 0; i < kDoubleLanes; ++i)
+            to[lane + i] = static_cast<float>(values[i]);
+    };
+    const Doubles perAlong = hn::Set(kDoubles, 1.0) / along;
+    const Doubles t = hn::MulAdd(first, hn::Set(kDoubles, frame.spacing), nearest) * perAlong;
+    const Doubles unit = hn::Set(kDoubles, double{kPlaceUnit});
+    for (int axis = 0; axis < 3; ++axis) {
+        const Doubles start =
+            hn::MulAdd(direction[axis], t, origin[axis] + hn::Set(kDoubles, job.shift[axis]));
+        put(hn::IfThenElseZero(meets, start * unit), packet.start[axis]);
+        const Doubles step = direction[axis] * hn::Set(kDoubles, frame.spacing) * perAlong;
+        put(hn::IfThenElseZero(meets, step * unit), packet.step[axis]);
+    }
+    put(count, packet.count);
+    put(job.gauge ? unitsOf(*job.gauge, direction) : hn::Set(kDoubles, 1.0), packet.units);
+    packet.empty = packet.empty && hn::AllFalse(kDoubles, meets);
+}
+
+/// The packet whose left lower pixel is (x, y). Pixels beyond the tile have no samples.
+void setPacket(const RayJob& job, const PixelRectangle& tile, int x, int y, Packet& packet)
+{
+    alignas(64) double pixelX[kDoubleLanes], pixelY[kDoubleLanes];
+    packet.empty = true;
+    for (int lane = 0; lane < kLanes; lane += kDoubleLanes) {
+        for (int i = 0; i < kDoubleLanes; ++i) {
+            pixelX[i] = std::min(x + (lane + i) % kPacketWidth, tile.right - 1);
+            pixelY[i] = std::min(y + (lane + i) / kPacketWidth, tile.top - 1);
+        }
+        setRays(job, pixelX, pixelY, lane, packet);
+    }
+    for (int lane = 0; lane < kLanes; ++lane)
+        if (x + lane % kPacketWidth >= tile.right || y + lane / kPacketWidth >= tile.top)
+            packet.count[lane] = 0.0f;
+}
+
+// ---- How samples join
+
+/// A lane each: red, green, blue, and transmittance or alpha.
+struct PixelLanes
+{
+    Floats rgbt[4];
+    Floats alpha;
+};
+
+template <class Sampler, class Shade>
+struct Fragments
+{
+    const Sampler& sampler;
+    const Shade& shade;
+    const Place& at;
+    typename Shade::Key key;
+
+    HWY_INLINE Fragments(const Sampler& s, const Shade& f, const Place& place)
+        : sampler(s), shade(f), at(place), key(f.key(s.value(place, Sampler::kChannels - 1)))
+    {
+    }
+
+    HWY_INLINE Floats alpha() const { return shade.component(key, 3); }
+    HWY_INLINE Floats color(std::size_t c) const
+    {
+        if constexpr (Sampler::kChannels == 1) return shade.component(key, c);
+        return shade.component(shade.key(sampler.value(at, static_cast<int>(c))), c);
+    }
+};
+
+/// Front to back, until nothing more is seen.
+class Over
+{
+public:
+    Over(const RayJob& job, const Packet& packet)
+        : grey_(job.shading->grey), perUnit_(job.gauge != nullptr), units_(hn::Load(kFloats, packet.units))
+    {
+    }
+
+    template <class Source>
+    HWY_INLINE void add(const Source& source, Mask active)
+    {
+        const Floats zero = hn::Zero(kFloats);
+        const auto seen = hn::And(active, transmittance_ >= hn::Set(kFloats, kLeastTransmittance));
+        Floats alpha = hn::IfThenElseZero(seen, source.alpha());
+        if (hn::AllTrue(kFloats, alpha == zero)) return;
+        if (perUnit_) alpha = opacityOver(alpha, units_);
+        const Floats weight = transmittance_ * alpha;
+        red_ = hn::MulAdd(weight, source.color(0), red_);
+        if (!grey_) {
+            green_ = hn::MulAdd(weight, source.color(1), green_);
+            blue_ = hn::MulAdd(weight, source.color(2), blue_);
+        }
+        alpha_ = hn::MulAdd(weight, alpha, alpha_);
+        transmittance_ = transmittance_ - weight;
+    }
+
+    /// Rays that see nothing more have no more samples.
+    HWY_INLINE Floats left(Floats count) const
+    {
+        return hn::IfThenElseZero(transmittance_ >= hn::Set(kFloats, kLeastTransmittance), count);
+    }
+
+    PixelLanes result() const
+    {
+        return {{red_, grey_ ? red_ : green_, grey_ ? red_ : blue_, transmittance_}, alpha_};
+    }
+
+private:
+    bool grey_;
+    bool perUnit_;
+    Floats units_;
+    Floats red_ = hn::Zero(kFloats), green_ = hn::Zero(kFloats), blue_ = hn::Zero(kFloats);
+    Floats alpha_ = hn::Zero(kFloats);
+    Floats transmittance_ = hn::Set(kFloats, 1.0f);
+};
+
+float startOf(CastBlending blending)
+{
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    switch (blending) {
+    case CastBlending::max: return -kInfinite;
+    case CastBlending::min: return kInfinite;
+    case CastBlending::over:
+    case CastBlending::sum:
+    case CastBlending::alphaSum: break;
+    }
+    return 0.0f;
+}
+
+/// Blendings that need no order.
+class Others
+{
+public:
+    Others(const RayJob& job, const Packet& packet)
+        : blending_(job.blending), perUnit_(job.gauge != nullptr), units_(hn::Load(kFloats, packet.units))
+    {
+        for (Floats& value : value_)
+            value = hn::Set(kFloats, startOf(blending_));
+    }
+
+    template <class Source>
+    HWY_INLINE void add(const Source& source, Mask active)
+    {
+        Floats alpha = source.alpha();
+        if (perUnit_) alpha = opacityOver(alpha, units_);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const Floats fragment = c < 3 ? source.color(c) : alpha;
+            value_[c] = hn::IfThenElse(active, joined(value_[c], fragment, alpha), value_[c]);
+        }
+    }
+
+    HWY_INLINE Floats left(Floats count) const { return count; }
+    PixelLanes result() const { return {{value_[0], value_[1], value_[2], value_[3]}, value_[3]}; }
+
+private:
+    HWY_INLINE Floats joined(Floats there, Floats fragment, Floats alpha) const
+    {
+        switch (blending_) {
+        case CastBlending::max: return hn::Max(there, fragment);
+        case CastBlending::min: return hn::Min(there, fragment);
+        case CastBlending::alphaSum: return hn::MulAdd(fragment, alpha, there);
+        case CastBlending::sum:
+        case CastBlending::over: break;
+        }
+        return there + fragment;
+    }
+
+    CastBlending blending_;
+    bool perUnit_;
+    Floats units_;
+    Floats value_[4];
+};
+
+// ---- The walk
+
+/// Steps over blocks that hold nothing.
+class Leaps
+{
+public:
+    Leaps(const RayJob& job, const Packet& packet)
+        : distance_(reinterpret_cast<const std::int32_t*>(job.blockDistance)),
+          pitchY_(hn::Set(kInts, job.blockCount.x)),
+          pitchZ_(hn::Set(kInts, job.blockCount.x * job.blockCount.y)),
+          last_(hn::Set(
+              kUints, static_cast<std::uint32_t>(job.blockCount.x * job.blockCount.y * job.blockCount.z - 1)))
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Floats step = hn::Load(kFloats, packet.step[axis]);
+            // A margin, since places are rounded; directions along the other axes reach no face.
+            const Floats size = hn::Abs(step);
+            const auto moves = size > hn::Set(kFloats, 1e-2f);
+            perStep_[axis] = hn::IfThenElse(moves, hn::Set(kFloats, 1.0f) / step, hn::Set(kFloats, 1e6f));
+            forward_[axis] = hn::Or(step >= hn::Zero(kFloats), hn::Not(moves));
+        }
+    }
+
+    /// Samples that may be left out from these places on; 0 where a block may hold something.
+    HWY_INLINE Floats leap(const Ints (&place)[3], Mask& occupied) const
+    {
+        constexpr int kShift = kPlaceBits + kBlockShift;
+        Ints block[3];
+        for (int axis = 0; axis < 3; ++axis)
+            block[axis] = hn::ShiftRight<kShift>(place[axis]);
+        const Ints number = block[0] + block[1] * pitchY_ + block[2] * pitchZ_;
+        const Ints inside = hn::BitCast(kInts, hn::Min(hn::BitCast(kUints, number), last_));
+        const Ints free = hn::And(hn::GatherOffset(kInts, distance_, inside), hn::Set(kInts, 0xff));
+        occupied = hn::RebindMask(kFloats, free == hn::Zero(kInts));
+        if (hn::AllTrue(kFloats, occupied)) return hn::Zero(kFloats);
+        Floats steps = hn::Set(kFloats, 1e6f);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Ints one = hn::Set(kInts, 1);
+            const Ints face = hn::IfThenElse(hn::RebindMask(kInts, forward_[axis]), block[axis] + free,
+                                             block[axis] + one - free);
+            const Floats way = hn::ConvertTo(kFloats, hn::ShiftLeft<kShift>(face) - place[axis]);
+            const Floats margin = hn::CopySign(hn::Set(kFloats, 64.0f), way);
+            steps = hn::Min(steps, (way - margin) * perStep_[axis]);
+        }
+        const Floats whole = hn::Floor(hn::Max(steps, hn::Zero(kFloats))) + hn::Set(kFloats, 1.0f);
+        return hn::IfThenZeroElse(occupied, whole);
+    }
+
+private:
+    const std::int32_t* distance_;
+    Ints pitchY_, pitchZ_;
+    hn::Vec<UintTag> last_;
+    Floats perStep_[3];
+    Mask forward_[3];
+};
+
+template <class Sampler, class Shade, class Blend>
+PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
+{
+    const GridLanes grid(job.grid);
+    const Sampler sampler(job.grid);
+    const Leaps leaps(job, packet);
+    const bool leaping = job.blockDistance != nullptr;
+    Blend blend(job, packet);
+    Floats start[3], step[3];
+    for (int axis = 0; axis < 3; ++axis) {
+        start[axis] = hn::Load(kFloats, packet.start[axis]);
+        step[axis] = hn::Load(kFloats, packet.step[axis]);
+    }
+    const Floats one = hn::Set(kFloats, 1.0f);
+    Floats count = hn::Load(kFloats, packet.count);
+    for (Floats sample = hn::Zero(kFloats); !hn::AllFalse(kFloats, sample < count);) {
+        if (leaping) {
+            Ints place[3];
+            for (int axis = 0; axis < 3; ++axis)
+                place[axis] = hn::NearestInt(hn::MulAdd(sample, step[axis], start[axis]));
+            Mask occupied;
+            const auto active = sample < count;
+            sample = sample + leaps.leap(place, occupied);
+            if (hn::AllFalse(kFloats, hn::And(active, occupied))) continue;
+        }
+        for (int i = 0; i < kRun; ++i, sample = sample + one) {
+            const Place at =
+                grid.place(hn::MulAdd(sample, step[0], start[0]), hn::MulAdd(sample, step[1], start[1]),
+                           hn::MulAdd(sample, step[2], start[2]));
+            blend.add(Fragments<Sampler, Shade>(sampler, shade, at), sample < count);
+        }
+        count = blend.left(count);
+    }
+    return blend.result();
+}
+
+/// The pixels of a packet that lie in the tile.
+void store(const RayJob& job, const PixelRectangle& tile, int x, int y, const PixelLanes& pixels)
+{
+    alignas(64) float rgbt[4 * kLanes];
+    alignas(64) float alpha[kLanes];
+    hn::StoreInterleaved4(pixels.rgbt[0], pixels.rgbt[1], pixels.rgbt[2], pixels.rgbt[3], kFloats, rgbt);
+    hn::Store(pixels.alpha, kFloats, alpha);
+    CastPicture& picture = *job.picture;
+    const int width = std::min(kPacketWidth, tile.right - x);
+    for (int row = 0; row < std::min(kPacketHeight, tile.top - y); ++row) {
+        const auto pixel =
+            static_cast<std::size_t>(y + row - picture.y) * static_cast<std::size_t>(picture.width) +
+            static_cast<std::size_t>(x - picture.x);
+        std::copy_n(rgbt + 4 * kPacketWidth * row, 4 * width, picture.rgbt.data() + 4 * pixel);
+        if (!picture.alpha.empty())
+            std::copy_n(alpha + kPacketWidth * row, width, picture.alpha.data() + pixel);
+    }
+}
+
+template <class Sampler, class Shade, class Blend>
+void walkTile(const RayJob& job, const PixelRectangle& tile)
+{
+    const Shade shade(*job.shading, job.grid.rawUnit);
+    Packet packet;
+    for (int y = tile.bottom; y < tile.top; y += kPacketHeight)
+        for (int x = tile.left; x < tile.right; x += kPacketWidth) {
+            setPacket(job, tile, x, y, packet);
+            store(job, tile, x, y,
+                  packet.empty ? Blend(job, packet).result()
+                               : walk<Sampler, Shade, Blend>(job, packet, shade));
+        }
+}
+
+template <class Sampler>
+void walkSamples(const RayJob& job, const PixelRectangle& tile)
+{
+    const bool over = job.blending == CastBlending::over;
+    if (job.shading->table)
+        over ? walkTile<Sampler, TableShade, Over>(job, tile)
+             : walkTile<Sampler, TableShade, Others>(job, tile);
+    else
+        over ? walkTile<Sampler, LinearShade, Over>(job, tile)
+             : walkTile<Sampler, LinearShade, Others>(job, tile);
+}
+
+void walkRaysOfTarget(const RayJob& job, const PixelRectangle& tile)
+{
+    switch (job.grid.kind) {
+    case GridKind::bytes: return walkSamples<ByteSampler>(job, tile);
+    case GridKind::shorts: return walkSamples<ShortSampler>(job, tile);
+    case GridKind::floats: break;
+    }
+    job.grid.channels == 1 ? walkSamples<FloatSampler<1>>(job, tile)
+                           : walkSamples<FloatSampler<4>>(job, tile);
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace vo
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace vo {
+
+HWY_EXPORT(walkRaysOfTarget);
+
+void walkRays(const RayJob& job, const PixelRectangle& tile)
+{
+    HWY_DYNAMIC_DISPATCH(walkRaysOfTarget)(job, tile);
+}
+
+} // namespace vo
+#endif
