@@ -4,11 +4,16 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vo {
 
 namespace {
+
+/// More tetrahedra are looked at for a convex body only if they come a second time: that takes longer than
+/// slicing them once.
+constexpr int kFewTetras = 1000;
 
 bool sameBoxes(std::span<const Box> a, std::span<const Box> b)
 {
@@ -35,15 +40,20 @@ bool withinDegrees(const Camera& a, const Camera& b, double threshold)
     return std::acos(cosine) * 180.0 / std::acos(-1.0) <= threshold;
 }
 
-glm::dvec3 centreOfBox(const TetraView& tetras)
+Box boundsOf(const TetraView& tetras)
 {
-    glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL);
+    Box box{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
     for (const int vertex : tetras.indices) {
         const glm::dvec3 p = tetras.position(vertex);
-        lower = glm::min(lower, p);
-        upper = glm::max(upper, p);
+        box = {glm::min(box.lower, p), glm::max(box.upper, p)};
     }
-    return 0.5 * (lower + upper);
+    return box;
+}
+
+glm::dvec3 centreOfBox(const TetraView& tetras)
+{
+    const Box box = boundsOf(tetras);
+    return 0.5 * (box.lower + box.upper);
 }
 
 /// Shells stay round the eye that they were made for: it may move by `threshold` degrees as seen from
@@ -65,10 +75,10 @@ public:
     bool append(int brick, int sample, std::span<const float> records) override
     {
         const auto values = static_cast<std::size_t>(cache_.valuesPerVertex_);
-        const std::size_t first = cache_.records_.size() / values;
+        const std::size_t first = cache_.stack_.records.size() / values;
         const std::size_t count = records.size() / values;
         if (first + count > UINT32_MAX) return false;
-        cache_.records_.insert(cache_.records_.end(), records.begin(), records.end());
+        std::ranges::copy(records, cache_.stack_.records.grow(records.size()));
         cache_.polygons_.push_back(
             {brick, sample, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
         return true;
@@ -82,39 +92,77 @@ bool PolygonCache::update(const PolygonRequest& request, double threshold)
 {
     if (isCurrent(request, threshold)) return false;
     remember(request);
-    records_.clear();
-    polygons_.clear();
-    Collector collector(*this);
-    const PolygonizeResult result = polygonize(request.tetras, request.clipBoxes, request.camera,
-                                               request.sampling, workspace_, collector);
-    samples_ = result.samples;
-    sortIntoBins(request.clipBoxes.size(), result.samples);
+    stack_.clear();
+    if (!sliceAsOneBody(request)) {
+        polygons_.clear();
+        Collector collector(*this);
+        const PolygonizeResult result = polygonize(request.tetras, request.clipBoxes, request.camera,
+                                                   request.sampling, workspace_, collector);
+        samples_ = result.samples;
+        sortIntoBins(request.clipBoxes.size(), result.samples);
+    }
     valid_ = true;
     return true;
 }
 
+/// False: the tetrahedra are no such body, or the request speaks of them one by one.
+bool PolygonCache::sliceAsOneBody(const PolygonRequest& request)
+{
+    const SamplingRequest& sampling = request.sampling;
+    const bool shells = sampling.mode == SamplingMode::spherical && request.camera.perspective;
+    if (shells || sampling.space == SamplingSpace::primitive || request.tetras.valuesPerVertex != 3 ||
+        request.tetras.voxelColumn > 0)
+        return false;
+    boxes_.assign(request.clipBoxes);
+    if (!boxesStandApart(boxes_) || !body(request.tetras)) return false;
+    const SamplingAxis axis = samplingAxis(request.tetras, request.camera, sampling);
+    const PlaneFamily planes = samplingPlanes(request.tetras, axis, request.camera, sampling);
+    convexSlicer_.slice(*body_, boundsOf(request.tetras), planes, axis.set.nearest, boxes_, stack_);
+    bricksInterleave_ = false;
+    samples_ = planes.count;
+    return true;
+}
+
+const std::optional<ConvexSet>& PolygonCache::body(const TetraView& tetras)
+{
+    const bool worthwhile = tetras.tetraCount() <= kFewTetras || framesOfTetras_ > 1;
+    if (!bodySought_ && worthwhile) {
+        body_ = convexSet(tetras);
+        bodySought_ = true;
+    }
+    return body_;
+}
+
 bool PolygonCache::isCurrent(const PolygonRequest& request, double threshold) const
 {
-    if (!valid_ || valuesPerVertex_ != request.tetras.valuesPerVertex ||
-        voxelColumn_ != request.tetras.voxelColumn)
-        return false;
+    if (!valid_) return false;
     const bool cameraFits = threshold > 0 ? withinDegrees(keyCamera_, request.camera, threshold)
                                           : sameCamera(keyCamera_, request.camera);
     const bool eyeFits = request.sampling.mode != SamplingMode::spherical || !request.camera.perspective ||
                          eyeStays(keyCamera_, request.camera, centreOfBox(request.tetras), threshold);
     return cameraFits && eyeFits && sameSampling(keySampling_, request.sampling) &&
-           sameBoxes(keyBoxes_, request.clipBoxes) &&
-           std::ranges::equal(keyIndices_, request.tetras.indices) &&
-           std::ranges::equal(keyRecords_, request.tetras.records);
+           sameBoxes(keyBoxes_, request.clipBoxes) && sameTetras(request.tetras);
+}
+
+bool PolygonCache::sameTetras(const TetraView& tetras) const
+{
+    return valuesPerVertex_ == tetras.valuesPerVertex && voxelColumn_ == tetras.voxelColumn &&
+           std::ranges::equal(keyIndices_, tetras.indices) && std::ranges::equal(keyRecords_, tetras.records);
 }
 
 void PolygonCache::remember(const PolygonRequest& request)
 {
     valid_ = false;
-    valuesPerVertex_ = request.tetras.valuesPerVertex;
-    voxelColumn_ = request.tetras.voxelColumn;
-    keyRecords_.assign(request.tetras.records.begin(), request.tetras.records.end());
-    keyIndices_.assign(request.tetras.indices.begin(), request.tetras.indices.end());
+    if (!sameTetras(request.tetras)) {
+        valuesPerVertex_ = request.tetras.valuesPerVertex;
+        voxelColumn_ = request.tetras.voxelColumn;
+        keyRecords_.assign(request.tetras.records.begin(), request.tetras.records.end());
+        keyIndices_.assign(request.tetras.indices.begin(), request.tetras.indices.end());
+        framesOfTetras_ = 0;
+        bodySought_ = false;
+        body_.reset();
+    }
+    framesOfTetras_ = std::min(framesOfTetras_ + 1, 2);
     keyBoxes_.assign(request.clipBoxes.begin(), request.clipBoxes.end());
     keyCamera_ = request.camera;
     keySampling_ = request.sampling;
@@ -138,19 +186,16 @@ void PolygonCache::sortIntoBins(std::size_t brickCount, int samples)
     for (std::size_t i = 0; i < polygons_.size(); ++i)
         order_[binStarts_[bin(polygons_[i])]++] = static_cast<std::uint32_t>(i);
 
-    indices_.clear();
-    runs_.clear();
     int lastSample = 0;
     for (const std::uint32_t number : order_) {
         const Polygon& p = polygons_[number];
-        const bool goesOn =
-            !runs_.empty() && runs_.back().brick == p.brick && (!bricksInterleave_ || lastSample == p.sample);
-        if (!goesOn) runs_.push_back({p.brick, indices_.size(), 0});
+        const bool goesOn = !stack_.runs.empty() && stack_.runs.back().brick == p.brick &&
+                            (!bricksInterleave_ || lastSample == p.sample);
+        if (!goesOn) stack_.runs.push_back({p.brick, stack_.indices.size(), 0});
         lastSample = p.sample;
         for (std::uint32_t i = 1; i + 1 < p.count; ++i)
-            for (const std::uint32_t vertex : {p.first + i, p.first + i + 1, p.first})
-                indices_.push_back(vertex);
-        runs_.back().count = indices_.size() - runs_.back().first;
+            std::ranges::copy(std::array{p.first + i, p.first + i + 1, p.first}, stack_.indices.grow(3));
+        stack_.runs.back().count = stack_.indices.size() - stack_.runs.back().first;
     }
 }
 

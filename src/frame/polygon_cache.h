@@ -1,12 +1,17 @@
 #pragma once
 
 #include "core/box.h"
+#include "geometry/convex_set.h"
 #include "geometry/tetra_view.h"
+#include "polygonize/box_lattice.h"
 #include "polygonize/camera.h"
+#include "polygonize/polygon_stack.h"
 #include "polygonize/polygonize.h"
 #include "polygonize/sampling_planes.h"
+#include "polygonize/slice_convex_set.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +27,8 @@ struct PolygonRequest
 };
 
 /// The polygons of a frame as triangles, in runs that lie in one brick each. Kept from frame to frame while
-/// what they depend on stays the same.
+/// what they depend on stays the same. Bare positions that fill a convex polyhedron are sliced as one body,
+/// so that a plane has one polygon in a brick.
 class PolygonCache
 {
 public:
@@ -32,18 +38,13 @@ public:
     bool update(const PolygonRequest& request, double threshold);
     void invalidate() { valid_ = false; }
 
-    std::span<const float> records() const { return records_; }
-    std::span<const std::uint32_t> indices() const { return indices_; }
+    std::span<const float> records() const { return stack_.records.all(); }
+    std::span<const std::uint32_t> indices() const { return stack_.indices.all(); }
 
-    struct Run
-    {
-        int brick;
-        std::size_t first; ///< of the indices
-        std::size_t count;
-    };
+    using Run = PolygonStack::Run;
     /// Usually one run a brick, by number, in each from the farthest sample to the nearest: bricks are boxes,
     /// and drawn in an order of boxes.
-    std::span<const Run> runs() const { return runs_; }
+    std::span<const Run> runs() const { return stack_.runs; }
     /// True when bricks have no order, since voxel coordinates that differ from positions put them anywhere:
     /// then runs are a brick and a sample each, farthest first, to be drawn as they come.
     bool bricksInterleave() const { return bricksInterleave_; }
@@ -62,7 +63,10 @@ private:
     class Collector;
 
     bool isCurrent(const PolygonRequest& request, double threshold) const;
+    bool sameTetras(const TetraView& tetras) const;
     void remember(const PolygonRequest& request);
+    bool sliceAsOneBody(const PolygonRequest& request);
+    const std::optional<ConvexSet>& body(const TetraView& tetras);
     void sortIntoBins(std::size_t brickCount, int samples);
 
     bool valid_ = false;
@@ -74,13 +78,17 @@ private:
     Camera keyCamera_;
     SamplingRequest keySampling_;
 
+    int framesOfTetras_ = 0;        ///< for which polygons were made of the same tetrahedra
+    bool bodySought_ = false;       ///< among them
+    std::optional<ConvexSet> body_; ///< that they fill
+    BoxLattice boxes_;
+    ConvexSlicer convexSlicer_;
+
     PolygonizeWorkspace workspace_;
-    std::vector<float> records_;
+    PolygonStack stack_;
     std::vector<Polygon> polygons_;
     std::vector<std::uint32_t> order_;
     std::vector<std::size_t> binStarts_;
-    std::vector<std::uint32_t> indices_;
-    std::vector<Run> runs_;
     bool bricksInterleave_ = false;
     int samples_ = 0;
 };

@@ -17,7 +17,7 @@ bool before(const BoxLattice::Interval& a, const BoxLattice::Interval& b)
     return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper);
 }
 
-double snapped(double value, const std::vector<double>& faces)
+double nearestFace(double value, const std::vector<double>& faces)
 {
     const auto above = std::lower_bound(faces.begin(), faces.end(), value);
     double nearest = value;
@@ -104,8 +104,13 @@ void BoxLattice::snap(CutPolygon& polygon) const
     for (int i = 0; i < polygon.count; ++i) {
         double* voxel = polygon.record(i) + polygon.voxelColumn;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            voxel[axis] = snapped(voxel[axis], faces_[axis]);
+            voxel[axis] = nearestFace(voxel[axis], faces_[axis]);
     }
+}
+
+double BoxLattice::snapped(int axis, double coordinate) const
+{
+    return nearestFace(coordinate, faces_[static_cast<std::size_t>(axis)]);
 }
 
 } // namespace vo

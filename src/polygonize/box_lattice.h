@@ -42,6 +42,8 @@ public:
     /// Coordinates closer to a face of any box than rounding and single precision can tell take the face's
     /// own.
     void snap(CutPolygon& polygon) const;
+    /// A coordinate on an axis, or the face that close to it.
+    double snapped(int axis, double coordinate) const;
 
 private:
     std::uint64_t number(const Cell& cell) const;
