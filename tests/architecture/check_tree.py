@@ -31,6 +31,8 @@ HOMES = [
     ("OSMesa", r"\bOSMesa[A-Z]\w*\s*\(", r"^GL/osmesa", ["demos/common/offscreen/"]),
     ("Highway", None, r"^hwy/", ["src/cast/", "src/polygonize/", "tests/cast/"]),
     ("oneTBB", r"\btbb::|\boneapi::", r"^(tbb|oneapi)/", ["src/core/"]),
+    ("VTK", None, r"^vtk\w+\.h$", ["tests/bench/"]),
+    ("VolPack", None, r"^volpack\.h$", ["tests/bench/"]),
     ("CGAL", r"\bCGAL::", r"^CGAL/", ["vout/"]),
 ]
 
