@@ -3,6 +3,7 @@
 #
 #   scripts/packages.sh          installs what is missing (root, Debian 12 or a descendant)
 #   scripts/packages.sh --list   prints the packages, one a line
+#   scripts/packages.sh --bench  installs those that the benchmark compares with, too
 set -euo pipefail
 
 packages=(
@@ -17,6 +18,13 @@ packages=(
     # tests: the framework, a display of their own
     libgtest-dev xvfb
 )
+
+# ./dev bench: other renderers; VTK draws into Xvfb.
+bench_packages=(libvtk9-dev libvolpack1-dev)
+
+if [[ ${1-} == --bench ]]; then
+    packages+=("${bench_packages[@]}")
+fi
 
 missing_packages() {
     local installed name
