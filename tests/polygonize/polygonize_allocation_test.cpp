@@ -1,3 +1,4 @@
+#include "frame/polygon_cache.h"
 #include "polygonize/polygonize.h"
 
 #include "scenes.h"
@@ -87,4 +88,24 @@ TEST(PolygonizeAllocation, secondTurnAllocatesNothing)
     vo::PolygonizeWorkspace workspace;
     EXPECT_GT(allocationsOfOneTurn(set, boxes, workspace), 0) << "the first turn fills the workspace";
     EXPECT_EQ(allocationsOfOneTurn(set, boxes, workspace), 0);
+}
+
+TEST(PolygonizeAllocation, secondTurnOfFramesAllocatesNothing)
+{
+    const std::vector<vo::Box> boxes = scenes::bricks(3, 64);
+    for (const scenes::TetraSet& set :
+         {scenes::cube(64), scenes::cube(64).withValues(7), scenes::jitteredLattice(3, -4, 68, 0.1, 2)}) {
+        vo::PolygonCache cache;
+        long turns[2]{};
+        for (long& inside : turns)
+            for (int view = 0; view < 36; ++view) {
+                const glm::dmat4 turn = gl_matrices::rotate(10.0 * view, {1, 2, 0.5});
+                const vo::Camera camera = scenes::camera(64, turn, view % 2);
+                const long before = allocations;
+                EXPECT_TRUE(cache.update({set.view(), boxes, camera, scenes::everyVoxel()}, 0.0));
+                inside += allocations - before;
+            }
+        EXPECT_GT(turns[0], 0);
+        EXPECT_EQ(turns[1], 0);
+    }
 }
