@@ -109,27 +109,63 @@ FrameResult toFrameResult(TextureResult result)
     return FrameResult::ok;
 }
 
-/// The runs of the cache from back to front.
-std::vector<PolygonCache::Run> backToFrontRuns(const PolygonCache& cache, std::span<const Box> boxes,
-                                               const Camera& camera)
+/// Triangles in runs that lie in one brick each.
+struct FrameTriangles
 {
-    std::vector<PolygonCache::Run> runs(cache.runs().begin(), cache.runs().end());
-    if (cache.bricksInterleave()) return runs;
+    std::span<const float> records;
+    std::span<const std::uint32_t> indices;
+    std::vector<PolygonCache::Run> runs; ///< from back to front
+    bool bricksInterleave = false;       ///< runs have an order already
+    int samples = 0;
+    bool anew = true;
+    Camera camera; ///< for which they were made
+};
+
+void sortBackToFront(FrameTriangles& triangles, std::span<const Box> boxes, const Camera& camera)
+{
+    if (triangles.bricksInterleave) return;
     const std::vector<int> order = backToFront(boxes, camera);
     std::vector<int> place(order.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    std::ranges::sort(
-        runs, {}, [&](const PolygonCache::Run& run) { return place[static_cast<std::size_t>(run.brick)]; });
-    return runs;
+    std::ranges::sort(triangles.runs, {}, [&](const PolygonCache::Run& run) {
+        return place[static_cast<std::size_t>(run.brick)];
+    });
 }
 
-FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const PolygonCache& cache,
-                       std::span<const PolygonCache::Run> runs, DrawState state, PhaseClock& clock)
+FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& request, const Camera& camera,
+                              FrameCache& cache)
+{
+    FrameTriangles triangles;
+    if (clearFragmentsLeaveNoTrace(context))
+        if (const OccupiedSlices* slices = cache.leaping.slices(context, request, camera)) {
+            triangles.records = slices->positions;
+            triangles.indices = slices->indices;
+            for (const OccupiedSlices::Run& run : slices->runs)
+                triangles.runs.push_back({run.brick, run.first, run.count});
+            triangles.samples = cache.leaping.samples();
+            triangles.anew = !cache.leaping.kept();
+            triangles.camera = camera;
+            return triangles;
+        }
+    PolygonCache& polygons = cache.polygons;
+    triangles.anew =
+        polygons.update({request.tetras, request.clipBoxes, camera, request.sampling}, request.threshold);
+    triangles.records = polygons.records();
+    triangles.indices = polygons.indices();
+    triangles.runs.assign(polygons.runs().begin(), polygons.runs().end());
+    triangles.bricksInterleave = polygons.bricksInterleave();
+    triangles.samples = polygons.samples();
+    triangles.camera = polygons.camera();
+    return triangles;
+}
+
+FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const FrameTriangles& triangles,
+                       DrawState state, PhaseClock& clock)
 {
     const glm::mat4 callerTextureMatrix = state.textureMatrix;
-    FaceStream stream(context, state, request.layout, cache.records(), cache.indices());
-    for (const PolygonCache::Run& run : runs) {
+    FaceStream stream(context, state, request.layout, triangles.records, triangles.indices);
+    for (const PolygonCache::Run& run : triangles.runs) {
         const auto brick = static_cast<std::size_t>(run.brick);
         clock.end(&FrameTimes::draw);
         const std::uint64_t downloads = context.downloads;
@@ -145,7 +181,7 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
 
 } // namespace
 
-FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, PolygonCache& cache)
+FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, FrameCache& cache)
 {
     PhaseClock clock(context, request.times);
     const DrawState state = readDrawState(context);
@@ -154,22 +190,21 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Polyg
     if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
     clock.end(&FrameTimes::draw);
 
-    const bool anew =
-        cache.update({request.tetras, request.clipBoxes, *camera, request.sampling}, request.threshold);
+    FrameTriangles triangles = frameTriangles(context, request, *camera, cache);
     if (debugLevel() >= 2)
-        debug(2, std::string("frame: ") + (anew ? "new" : "kept") + " polygons, " +
-                     std::to_string(cache.samples()) + " samples, drawn as slices");
+        debug(2, std::string("frame: ") + (triangles.anew ? "new" : "kept") + " polygons, " +
+                     std::to_string(triangles.samples) + " samples, drawn as slices");
     clock.end(&FrameTimes::polygonize);
-    const std::vector<PolygonCache::Run> runs = backToFrontRuns(cache, request.clipBoxes, *camera);
+    sortBackToFront(triangles, request.clipBoxes, *camera);
     clock.end(&FrameTimes::sort);
 
     DrawState samples = state;
     if (context.state.unitLength > 0.0)
-        if (const auto gauge = sampleGauge(request.tetras, cache.camera(), request.sampling))
+        if (const auto gauge = sampleGauge(request.tetras, triangles.camera, request.sampling))
             setOpacityPerLength(context, *gauge, samples);
 
     const ScopedTextureBindings bindings(context.gl);
-    const FrameResult result = drawBricks(context, request, cache, runs, samples, clock);
+    const FrameResult result = drawBricks(context, request, triangles, samples, clock);
     clock.finish();
     clock.end(&FrameTimes::draw);
     return result;

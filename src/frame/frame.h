@@ -4,6 +4,7 @@
 #include "draw/brick_texture.h"
 #include "draw/context_record.h"
 #include "frame/polygon_cache.h"
+#include "frame/space_leaping.h"
 
 #include <span>
 
@@ -42,9 +43,22 @@ struct FrameRequest
 
 enum class FrameResult { ok, singularMatrices, textureTooLarge, outOfMemory, noVoxels };
 
+/// What frames of one volume keep from one to the next.
+struct FrameCache
+{
+    PolygonCache polygons;
+    SpaceLeaping leaping;
+
+    void invalidate()
+    {
+        polygons.invalidate();
+        leaping.invalidate();
+    }
+};
+
 /// Draws a volume in the state of the context: polygons (from the cache while they are current), bricks back
 /// to front, each with its texture. The caller's texture bindings and all else are given back.
-FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, PolygonCache& cache);
+FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, FrameCache& cache);
 
 /// Corners of the twelve edges of a box: 24 positions, 72 floats.
 void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions);

@@ -210,7 +210,7 @@ int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArr
         if (static_cast<int>(decorations) & ~voDecorationFlagsScope::ALL)
             vo::badEnum("voDecorationFlags has no value " + std::to_string(decorations));
         vo::ContextRecord& context = vo::requireContext();
-        thread_local vo::PolygonCache ownPolygons;
+        thread_local vo::FrameCache ownFrames;
         voInside::DrawCache* kept = cache ? &voInside::of(*cache) : nullptr;
 
         const bool stacks = volume.getInterpolationType() == voInterpolationTypeScope::_2D;
@@ -244,7 +244,7 @@ int voGeometryActions::drawUtility(voIndexedTetraSet* tetraSet, voInterleavedArr
         vo::FrameTimes times;
         voutPerfMeter* meter = vo::currentMeter();
         request.times = meter ? &times : nullptr;
-        throwOnFailure(vo::drawFrame(context, request, kept ? kept->polygons : ownPolygons));
+        throwOnFailure(vo::drawFrame(context, request, kept ? kept->frames : ownFrames));
         if (meter) addTimes(times, *meter);
     });
 }

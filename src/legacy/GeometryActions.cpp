@@ -313,7 +313,7 @@ void voDrawActionCache::setThreshold(double degrees)
 
 void voDrawActionCache::invalidate()
 {
-    d->polygons.invalidate();
+    d->frames.invalidate();
 }
 
 voPlaneOrientation findClosestAxisIndex(GLdouble modelMatrix[16], GLdouble projMatrix[16], int samplingMode)

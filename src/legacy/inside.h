@@ -14,7 +14,7 @@
 #include "appearance/brick_source.h"
 #include "core/record_layout.h"
 #include "draw/brick_texture.h"
-#include "frame/polygon_cache.h"
+#include "frame/frame.h"
 
 #include <memory>
 #include <vector>
@@ -103,7 +103,7 @@ struct voDrawActionCache::Private
     int maxSamples = 1;
     voSamplingMode samplingMode = voSamplingModeScope::DEFAULT;
     double threshold = 0.0;
-    vo::PolygonCache polygons;
+    vo::FrameCache frames;
 };
 
 /// The friend of every class of the face: hands out what is private.

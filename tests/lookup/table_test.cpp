@@ -1,4 +1,5 @@
 #include "lookup/table.h"
+#include "lookup/visible_values.h"
 
 #include <gtest/gtest.h>
 
@@ -96,6 +97,52 @@ TEST(ApplyTable, oneEntryIsAConstant)
     std::array<float, 8> voxels{0, 0, 0, 0, 1, 1, 1, 1};
     vo::applyTable(table, voxels.data(), 2);
     EXPECT_EQ(voxels, (std::array<float, 8>{0.1f, 0.2f, 0.3f, 0.4f, 0.1f, 0.2f, 0.3f, 0.4f}));
+}
+
+/// Opaque from entry 10 to entry 20 of 256.
+vo::VisibleValues opaqueFrom10To20()
+{
+    Table table;
+    for (int i = 0; i < 256; ++i)
+        table.rgba.insert(table.rgba.end(), {1.0f, 1.0f, 1.0f, i >= 10 && i <= 20 ? 0.5f : 0.0f});
+    return vo::VisibleValues(table);
+}
+
+float entry(double number)
+{
+    return static_cast<float>(number / 255.0);
+}
+
+TEST(VisibleValues, withoutATableOnlyZeroIsClear)
+{
+    const vo::VisibleValues values;
+    EXPECT_FALSE(values.any(0.0f, 0.0f));
+    EXPECT_TRUE(values.any(0.0f, 1e-30f));
+    EXPECT_TRUE(values.any(-0.5f, 0.0f));
+}
+
+TEST(VisibleValues, entriesOfATableAreSeenAsFarAsTheirNeighbours)
+{
+    const vo::VisibleValues values = opaqueFrom10To20();
+    EXPECT_FALSE(values.any(entry(0), entry(9)));
+    EXPECT_TRUE(values.any(entry(0), entry(9.01)));
+    EXPECT_TRUE(values.any(entry(12), entry(13)));
+    EXPECT_TRUE(values.any(entry(20.99), entry(200)));
+    EXPECT_FALSE(values.any(entry(21), entry(255)));
+    EXPECT_TRUE(values.any(entry(0), entry(255)));
+    for (int i = 0; i < 256; ++i)
+        EXPECT_EQ(values.any(entry(i), entry(i)), i >= 10 && i <= 20) << i;
+}
+
+TEST(VisibleValues, outsideValuesAreThoseOfTheEndsAndNoneMeansNothing)
+{
+    Table table;
+    table.rgba = {0, 0, 0, 1, 0, 0, 0, 0};
+    const vo::VisibleValues values(table);
+    EXPECT_TRUE(values.any(-5.0f, -3.0f));
+    EXPECT_FALSE(values.any(1.0f, 7.0f));
+    EXPECT_FALSE(values.any(1.0f, 0.0f));
+    EXPECT_TRUE(values.any(std::numeric_limits<float>::quiet_NaN(), 1.0f));
 }
 
 } // namespace

@@ -1,0 +1,189 @@
+#include "frame/space_leaping.h"
+
+#include "frame/frame.h"
+#include "geometry/convex_set.h"
+#include "lookup/visible_values.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace vo {
+
+namespace {
+
+/// Where more of the cells are occupied, the slices as they are cost no more.
+constexpr double kMostOccupied = 0.75;
+/// Larger sets of tetrahedra are not asked whether they fill a box: it takes too long.
+constexpr int kMostTetras = 4096;
+
+/// What decides whether a sample is seen.
+struct OpacityRule
+{
+    VoxelComponent component;
+    VisibleValues visible;
+};
+
+/// Nothing: every sample may have an opacity.
+std::optional<OpacityRule> opacityRule(const ContextRecord& context, TexelFormat texel)
+{
+    const TableSlot* pre = activeTable(context, TableKind::preInterpolation);
+    const TableSlot* post = activeTable(context, TableKind::postInterpolation);
+    if (pre && post) return {};
+    if (pre) return OpacityRule{VoxelComponent::alpha, VisibleValues(pre->table)};
+    const VisibleValues visible = post ? VisibleValues(post->table) : VisibleValues();
+    switch (texel) {
+    case TexelFormat::intensity: return OpacityRule{VoxelComponent::red, visible};
+    case TexelFormat::luminance:
+        if (post) return OpacityRule{VoxelComponent::red, visible};
+        return {};
+    case TexelFormat::luminanceAlpha:
+    case TexelFormat::rgba: return OpacityRule{VoxelComponent::alpha, visible};
+    case TexelFormat::rgb: return {};
+    }
+    return {};
+}
+
+/// The box that the tetrahedra fill, if they do.
+std::optional<Box> filledBox(const TetraView& tetras)
+{
+    const std::optional<ConvexSet> set = convexSet(tetras);
+    if (!set || set->planes.size() != 6) return {};
+    for (const glm::dvec4& plane : set->planes)
+        if (std::max({std::abs(plane.x), std::abs(plane.y), std::abs(plane.z)}) < 1.0 - 1e-12) return {};
+    Box box{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
+    for (const int vertex : tetras.indices) {
+        box.lower = glm::min(box.lower, tetras.position(vertex));
+        box.upper = glm::max(box.upper, tetras.position(vertex));
+    }
+    return box;
+}
+
+/// The brick's lower corner, if its voxels lie one a unit from whole, positive coordinates on.
+std::optional<VoxelOrigin> wholeOrigin(const FrameBrick& brick)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const float at = brick.origin[axis];
+        if (!(at >= 0.0f) || at > 1e6f || at != std::floor(at)) return {};
+        if (brick.size[axis] != static_cast<float>(brick.image.size[axis])) return {};
+    }
+    return VoxelOrigin{static_cast<int>(brick.origin.x), static_cast<int>(brick.origin.y),
+                       static_cast<int>(brick.origin.z)};
+}
+
+bool samePlanes(const PlaneFamily& a, const PlaneFamily& b)
+{
+    return a.normal == b.normal && a.first == b.first && a.spacing == b.spacing && a.count == b.count;
+}
+
+} // namespace
+
+const OccupiedSlices* SpaceLeaping::slices(const ContextRecord& context, const FrameRequest& request,
+                                           const Camera& camera)
+{
+    kept_ = false;
+    const bool inPlace = request.layout.texCoord < 0 && request.layout.color < 0;
+    const bool planar = request.sampling.mode != SamplingMode::spherical || !camera.perspective;
+    if (!inPlace || !planar || request.sampling.space == SamplingSpace::primitive ||
+        request.threshold > 0.0 || request.bricks.empty())
+        return nullptr;
+    if (!findDomain(request.tetras) || !findOccupied(context, request) || !pays_) return nullptr;
+
+    const PlaneFamily planes = samplingPlanes(request.tetras, camera, request.sampling);
+    const auto sameBox = [](const Box& a, const Box& b) { return a.lower == b.lower && a.upper == b.upper; };
+    kept_ =
+        sliced_ && samePlanes(planes, planes_) && std::ranges::equal(keyBoxes_, request.clipBoxes, sameBox);
+    if (kept_) return &slices_;
+    planes_ = planes;
+    keyBoxes_.assign(request.clipBoxes.begin(), request.clipBoxes.end());
+    sliced_ = slicer_.slice(*domain_, request.clipBoxes, cells_, planes, slices_);
+    return sliced_ ? &slices_ : nullptr;
+}
+
+bool SpaceLeaping::findDomain(const TetraView& tetras)
+{
+    if (tetras.valuesPerVertex != 3 || tetras.tetraCount() > kMostTetras) return false;
+    if (std::ranges::equal(keyRecords_, tetras.records) && std::ranges::equal(keyIndices_, tetras.indices))
+        return domain_.has_value();
+    keyRecords_.assign(tetras.records.begin(), tetras.records.end());
+    keyIndices_.assign(tetras.indices.begin(), tetras.indices.end());
+    sliced_ = false;
+    domain_ = filledBox(tetras);
+    return domain_.has_value();
+}
+
+/// The ranges of all bricks; false when one has no voxels to look at.
+bool SpaceLeaping::findRanges(const FrameRequest& request, VoxelComponent component)
+{
+    rangesChanged_ = rangesChanged_ || bricks_.size() != request.bricks.size();
+    bricks_.resize(request.bricks.size());
+    for (std::size_t i = 0; i < bricks_.size(); ++i) {
+        const FrameBrick& brick = request.bricks[i];
+        const std::optional<VoxelOrigin> origin = wholeOrigin(brick);
+        if (brick.image.twoDimensional || !origin) return false;
+        KnownBrick& known = bricks_[i];
+        if (known.id == brick.image.id && known.version == brick.image.version &&
+            known.component == component && known.origin == *origin)
+            continue;
+        if (brick.image.voxels.empty()) return false;
+        known = {brick.image.id, brick.image.version, component, *origin,
+                 cellRanges(brick.image.voxels, brick.image.format, brick.image.size, *origin, component)};
+        rangesChanged_ = true;
+    }
+    return true;
+}
+
+bool SpaceLeaping::findOccupied(const ContextRecord& context, const FrameRequest& request)
+{
+    const TexelFormat texel = request.bricks[0].image.texel;
+    const auto sameTexel = [&](const FrameBrick& brick) { return brick.image.texel == texel; };
+    if (!std::ranges::all_of(request.bricks, sameTexel)) return false;
+    const std::optional<OpacityRule> rule = opacityRule(context, texel);
+    if (!rule || !findRanges(request, rule->component)) return false;
+    const auto serial = [&](TableKind kind) {
+        const TableSlot* slot = activeTable(context, kind);
+        return slot ? slot->serial : 0;
+    };
+    const std::uint64_t tables[2] = {serial(TableKind::preInterpolation),
+                                     serial(TableKind::postInterpolation)};
+    if (!rangesChanged_ && std::ranges::equal(tables, keyTables_)) return true;
+    std::ranges::copy(tables, keyTables_);
+    rangesChanged_ = false;
+    sliced_ = false;
+    markOccupied(rule->visible);
+    return true;
+}
+
+void SpaceLeaping::markOccupied(const VisibleValues& visible)
+{
+    cells_.side = kCellSide;
+    cells_.count = {};
+    for (const KnownBrick& brick : bricks_) {
+        const CellRanges& r = brick.ranges;
+        cells_.count = {std::max(cells_.count.x, r.first.x + r.count.x),
+                        std::max(cells_.count.y, r.first.y + r.count.y),
+                        std::max(cells_.count.z, r.first.z + r.count.z)};
+    }
+    cells_.occupied.assign(cells_.count.count(), 0);
+    for (const KnownBrick& brick : bricks_) {
+        const CellRanges& r = brick.ranges;
+        std::size_t number = 0;
+        for (int z = 0; z < r.count.z; ++z)
+            for (int y = 0; y < r.count.y; ++y) {
+                std::uint8_t* row =
+                    cells_.occupied.data() +
+                    (static_cast<std::size_t>(r.first.z + z) * static_cast<std::size_t>(cells_.count.y) +
+                     static_cast<std::size_t>(r.first.y + y)) *
+                        static_cast<std::size_t>(cells_.count.x) +
+                    r.first.x;
+                for (int x = 0; x < r.count.x; ++x, ++number)
+                    row[x] |= visible.any(r.ranges[number].low, r.ranges[number].high);
+            }
+    }
+    const auto occupied = std::accumulate(cells_.occupied.begin(), cells_.occupied.end(), std::size_t{0});
+    pays_ = static_cast<double>(occupied) <= kMostOccupied * static_cast<double>(cells_.occupied.size());
+}
+
+} // namespace vo

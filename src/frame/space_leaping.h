@@ -1,0 +1,68 @@
+#pragma once
+
+#include "appearance/cell_ranges.h"
+#include "core/box.h"
+#include "draw/context_record.h"
+#include "lookup/visible_values.h"
+#include "polygonize/camera.h"
+#include "polygonize/slice_occupied.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vo {
+
+struct FrameRequest;
+
+/// Leaves out of a frame what cannot be seen: cells of the volume in which every sample has an opacity of
+/// exactly 0 under the active table. Keeps the ranges of voxels, and the slices, while nothing changes.
+class SpaceLeaping
+{
+public:
+    /// The slices of a frame, far to near in each brick; nullptr when they cannot be told (the volume is not
+    /// in its place, or not a box; the texture has opacity everywhere) or are nearly all of them. Only for
+    /// states in which a fragment without opacity changes nothing.
+    const OccupiedSlices* slices(const ContextRecord& context, const FrameRequest& request,
+                                 const Camera& camera);
+
+    void invalidate() { sliced_ = false; }
+    /// Whether the last slices are those of the frame before.
+    bool kept() const { return kept_; }
+    int samples() const { return planes_.count; }
+
+private:
+    struct KnownBrick
+    {
+        std::uint64_t id = 0;
+        std::uint64_t version = 0;
+        VoxelComponent component = VoxelComponent::alpha;
+        VoxelOrigin origin;
+        CellRanges ranges;
+    };
+
+    bool findDomain(const TetraView& tetras);
+    bool findRanges(const FrameRequest& request, VoxelComponent component);
+    bool findOccupied(const ContextRecord& context, const FrameRequest& request);
+    void markOccupied(const VisibleValues& visible);
+
+    std::vector<float> keyRecords_;
+    std::vector<int> keyIndices_;
+    std::optional<Box> domain_; ///< that the tetrahedra fill
+
+    std::vector<KnownBrick> bricks_;
+    bool rangesChanged_ = false;
+    std::uint64_t keyTables_[2] = {0, 0};
+    OccupiedCells cells_;
+    bool pays_ = false;
+
+    bool sliced_ = false;
+    bool kept_ = false;
+    std::vector<Box> keyBoxes_;
+    PlaneFamily planes_;
+    OccupiedSlicer slicer_;
+    OccupiedSlices slices_;
+};
+
+} // namespace vo

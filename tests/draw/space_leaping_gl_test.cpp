@@ -1,0 +1,233 @@
+// drawUtility leaves out what cannot be seen; the picture stays.
+
+#include "draw/draw_scene.h"
+
+#include "support/compare.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace {
+
+using namespace vo::test;
+using vo::OffscreenProfile;
+using vo::VoxelSize;
+
+/// What rounding of coordinates in small triangles makes of a picture with steep edges. A sample too many or
+/// too few would be a thousandth at least.
+constexpr double kRounding = 5e-5;
+
+/// A frame, and how many fragments it took.
+struct Frame
+{
+    std::vector<float> picture;
+    GLuint fragments = 0;
+};
+
+double largestDifference(const Frame& a, const Frame& b)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.picture.size(); ++i)
+        largest = std::max(largest, std::abs(static_cast<double>(a.picture[i]) - b.picture[i]));
+    return largest;
+}
+
+/// Rows from red to blue whose opacity begins at entry `first` of 256.
+std::vector<float> tableFrom(int first)
+{
+    std::vector<float> table;
+    for (int i = 0; i < 256; ++i) {
+        const float v = static_cast<float>(i) / 255.0f;
+        table.insert(table.end(), {v, 0.5f * v, 1.0f - v, i < first ? 0.0f : 0.02f + 0.1f * v});
+    }
+    return table;
+}
+
+/// A small ball in a corner and a thin letter in another, nothing elsewhere.
+Field sparseField()
+{
+    const VoxelSize size{64, 57, 61};
+    Field field = letterFField({24, 24, 24});
+    const Field ball = ballField({26, 26, 26});
+    Field sparse = constantField(size, 0.0);
+    for (int z = 0; z < 24; ++z)
+        for (int y = 0; y < 24; ++y)
+            for (int x = 0; x < 24; ++x)
+                sparse.at(3 + x, 4 + y, 5 + z) = field.at(x, y, z);
+    for (int z = 0; z < 26; ++z)
+        for (int y = 0; y < 26; ++y)
+            for (int x = 0; x < 26; ++x)
+                sparse.at(36 + x, 29 + y, 33 + z) = ball.at(x, y, z);
+    return quantised(withEmptyBorder(sparse, 2));
+}
+
+class SpaceLeapingGL : public testing::Test
+{
+protected:
+    SpaceLeapingGL()
+    {
+        setenv("VO_ENGINE", "slices", 1);
+        scene.volume = &field;
+        scene.width = scene.height = 160;
+        scene.overlap = 1;
+        scene.view = orthographicView({20, 30}, field.size, 160, 160);
+        scene.classification = Classification::postInterpolation;
+        scene.table = tableFrom(1);
+        options.utility = true;
+    }
+    ~SpaceLeapingGL() override { unsetenv("VO_ENGINE"); }
+
+    void open(OffscreenProfile profile = OffscreenProfile::Compatibility)
+    {
+        context = openFor(scene, profile);
+        drawing = std::make_unique<SceneDrawing>(*context, scene, options);
+    }
+
+    Frame frame()
+    {
+        const GladGLContext& gl = context->gl();
+        GLuint query = 0;
+        Frame result;
+        gl.GenQueries(1, &query);
+        gl.BeginQuery(GL_SAMPLES_PASSED, query);
+        drawing->draw(scene.view);
+        gl.EndQuery(GL_SAMPLES_PASSED);
+        gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result.fragments);
+        gl.DeleteQueries(1, &query);
+        result.picture = context->readFloats();
+        return result;
+    }
+
+    /// Every fragment leaves a depth: none can be left out.
+    Frame wholeFrame()
+    {
+        const GladGLContext& gl = context->gl();
+        gl.Enable(GL_DEPTH_TEST);
+        gl.DepthFunc(GL_ALWAYS);
+        Frame result = frame();
+        gl.Disable(GL_DEPTH_TEST);
+        return result;
+    }
+
+    void expectLeaped(double part = 0.75)
+    {
+        const Frame leaped = frame(), whole = wholeFrame();
+        EXPECT_LT(leaped.fragments, part * whole.fragments);
+        EXPECT_GT(leaped.fragments, 0u);
+        EXPECT_LE(largestDifference(leaped, whole), kRounding);
+        EXPECT_GT(*std::ranges::max_element(whole.picture), 0.1f) << "the picture shows something";
+    }
+
+    void expectWhole()
+    {
+        const Frame first = frame(), whole = wholeFrame();
+        EXPECT_EQ(first.fragments, whole.fragments);
+    }
+
+    Field field = sparseField();
+    Scene scene;
+    DrawOptions options;
+    std::unique_ptr<vo::OffscreenContext> context;
+    std::unique_ptr<SceneDrawing> drawing;
+};
+
+TEST_F(SpaceLeapingGL, leavesThePictureAsItIs)
+{
+    for (const int bricks : {1, 2, 3}) {
+        options.bricks = bricks;
+        for (const OffscreenProfile profile : {OffscreenProfile::Compatibility, OffscreenProfile::Core}) {
+            drawing.reset();
+            open(profile);
+            for (const Angles& angles : {Angles{20, 30}, Angles{0, 0}, Angles{-70, 200}}) {
+                SCOPED_TRACE(testing::Message() << bricks << " bricks a side, from " << angles.latitude << " "
+                                                << angles.longitude);
+                scene.view = orthographicView(angles, field.size, 160, 160);
+                expectLeaped();
+                scene.view = perspectiveView(angles, field.size, 160, 160, 50);
+                expectLeaped();
+            }
+        }
+    }
+}
+
+TEST_F(SpaceLeapingGL, goesByTheTableThatIsActive)
+{
+    scene.classification = Classification::none;
+    scene.color = {1, 1, 1, 0.2};
+    open();
+    expectLeaped();
+    drawing.reset();
+    scene.color = {1, 1, 1, 1};
+    scene.classification = Classification::preInterpolation;
+    open();
+    expectLeaped();
+    drawing.reset();
+    scene.classification = Classification::postInterpolation;
+    scene.table = tableFrom(200);
+    open();
+    const Frame little = frame();
+    expectLeaped(0.6);
+    drawing.reset();
+    scene.table = tableFrom(0);
+    open();
+    expectWhole();
+    drawing.reset();
+    scene.table = tableFrom(1);
+    open();
+    EXPECT_GT(frame().fragments, little.fragments);
+}
+
+TEST_F(SpaceLeapingGL, aTableLoadedBetweenFramesCounts)
+{
+    open();
+    const Frame before = frame();
+    std::vector<float> opaque = tableFrom(0);
+    voLookupTablePost other(GLenum{voInternalFormatTypeScope::RGBA8_EXT}, 256,
+                            GLenum{voExternalFormatTypeScope::RGBA}, GLenum{voDataTypeScope::FLOAT},
+                            opaque.data());
+    other.load();
+    other.enable();
+    const Frame full = frame();
+    EXPECT_GT(full.fragments, before.fragments);
+    EXPECT_EQ(full.fragments, wholeFrame().fragments);
+}
+
+TEST_F(SpaceLeapingGL, newVoxelsShow)
+{
+    open();
+    const Frame before = frame();
+    voBrick* brick = drawing->volume().getCurrentBrickSet()->getBrick(0);
+    auto* voxels = static_cast<unsigned char*>(brick->getDataPtr());
+    for (int z = 40; z < 50; ++z)
+        for (int y = 4; y < 14; ++y)
+            std::fill_n(voxels + (z * field.size.y + y) * field.size.x + 4, 10,
+                        static_cast<unsigned char>(255));
+    voAppearanceActions::dataScaleRange(brick, 0.0f, 255.0f);
+    const Frame after = frame();
+    EXPECT_GT(after.fragments, before.fragments);
+    EXPECT_LE(largestDifference(after, wholeFrame()), kRounding);
+    EXPECT_GT(largestDifference(after, before), 0.1);
+}
+
+TEST_F(SpaceLeapingGL, happensOnlyWhereAClearFragmentLeavesNoTrace)
+{
+    scene.compositing = Compositing::max;
+    open();
+    expectWhole();
+    drawing.reset();
+    scene.compositing = Compositing::sum;
+    open();
+    expectWhole();
+}
+
+TEST_F(SpaceLeapingGL, doesNotHappenToVolumesOutOfPlace)
+{
+    options.explicitTexCoords = true;
+    open();
+    expectWhole();
+}
+
+} // namespace
