@@ -127,7 +127,7 @@ protected:
 TEST_P(OccupiedSlices, coverEveryOccupiedCellOnceAndNothingTwice)
 {
     for (const int bricks : {1, 3}) {
-        const vo::OccupiedCells cells = someCells(11, 0.12);
+        const vo::OccupiedCells cells = someCells(11, 0.06);
         slice(bricks, cells);
         int inside = 0, outside = 0;
         forRandomPoints([&](int plane, const glm::dvec3& p) {
@@ -143,7 +143,7 @@ TEST_P(OccupiedSlices, coverEveryOccupiedCellOnceAndNothingTwice)
             }
             inside += occupied;
         });
-        EXPECT_GT(inside, 100);
+        EXPECT_GT(inside, 30);
         EXPECT_GT(outside, 100) << "some of what is empty has to be left out";
     }
 }
