@@ -53,7 +53,7 @@ class Program:
         self.errors.seek(0)
         text = re.sub(r"\x1b\[[0-9;]*m", "", self.errors.read().decode(errors="replace"))
         lines = [line.strip() for line in text.splitlines() if line.strip()]
-        return lines[-1].removeprefix(self.path + ": ") if lines else f"ended with status {code}"
+        return lines[-1].removeprefix(self.path + ": ")[-160:] if lines else f"ended with status {code}"
 
     def ask(self, command):
         try:

@@ -53,13 +53,14 @@ class Display:
         read, write = os.pipe()
         try:
             self.process = subprocess.Popen(
-                ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x640x24", "-nolisten", "tcp"],
+                ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x640x24", "-nolisten", "tcp", "-noreset"],
                 pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         except FileNotFoundError:
             print("bench: Xvfb is not installed: VTK has no window to draw into")
         os.close(write)
-        number = os.read(read, 16).decode().strip() if self.process else ""
-        os.close(read)
+        # To its end: the server dies of a line that nobody reads.
+        with os.fdopen(read) as pipe:
+            number = pipe.readline().strip()
         environment.pop("DISPLAY", None)
         if number:
             environment["DISPLAY"] = ":" + number
