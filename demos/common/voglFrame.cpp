@@ -105,6 +105,7 @@ VoglPolygons::~VoglPolygons()
     }
     delete[] sets_;
     delete vertices_;
+    delete cache_;
 }
 
 void VoglPolygons::polygonize()
@@ -180,6 +181,23 @@ void VoglPolygons::draw()
     drawByBricks(aSortAction);
 }
 
+void VoglPolygons::drawAtOnce()
+{
+    if (!cache_)
+        cache_ = new voDrawActionCache(tetraSet_, bricks_, maxSamplesNumber_, voglSamplingMode(bricks_),
+                                       tetraSet_->getVertexData()->getValuesPerVertex(), 0);
+    voState::setEngine(options.engine == vo::Options::Engine::Cast ? voEngineScope::CAST
+                                                                   : voEngineScope::SLICES);
+    float samplingPeriod[3];
+    voglSamplingPeriod(samplingPeriod);
+    drawTimer.start();
+    voGeometryActions::drawUtility(tetraSet_, format_, bricks_, cache_,
+                                   options.viewSpace ? voSamplingSpaceScope::VIEW_VOLUME
+                                                     : voSamplingSpaceScope::OBJECT,
+                                   samplingPeriod, voDecorationFlagsScope::NONE);
+    drawTimer.stop();
+}
+
 void voglSamplingPeriod(float samplingPeriod[3])
 {
     for (int i = 0; i < 3; i++)
@@ -248,6 +266,12 @@ void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, Vo
 {
     voglChooseStack(bricks);
     voglDrawOutlines(tetraSet, bricks, polygons.getFormat());
+    if (options.engine) {
+        voglBeginBlending();
+        polygons.drawAtOnce();
+        voglEndBlending();
+        return;
+    }
     polygons.polygonize();
     voglBeginSlices(bricks, polygons.getFormat());
     polygons.draw();

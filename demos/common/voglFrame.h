@@ -33,6 +33,9 @@ public:
     /** Polygons of a brick and a plane; planes from 0, the farthest, to getSamplesNumber() - 1. */
     voIndexedFaceSet* get(int brickNo, int sampleNo) { return sets_[brickNo][sampleNo]; }
     int getSamplesNumber() const { return samplesNumber_; }
+    /** A frame by one call of drawUtility, with the engine of the options; state as voglBeginBlending sets
+     * it. */
+    void drawAtOnce();
     voInterleavedArrayType getFormat() const { return format_; }
 
 private:
@@ -46,6 +49,7 @@ private:
     int samplesNumber_ = 0;
     voVertexData* vertices_ = nullptr;
     voIndexedFaceSet*** sets_ = nullptr;
+    voDrawActionCache* cache_ = nullptr; // of drawAtOnce
 };
 
 /** The distance of the sampling planes along each axis, in voxels. */
@@ -73,5 +77,5 @@ void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format
 /** Takes it back. */
 void voglEndSlices(voBrickSetCollection* bricks);
 
-/** All of the above: a whole frame. */
+/** All of the above: a whole frame. With -engine the library draws it, else our own loop over slices. */
 void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons);

@@ -214,6 +214,10 @@ int main(int argc, char** argv)
     for (std::size_t i = 0; options.scale && i < 3; ++i)
         modelScale[i] = float((*options.scale)[i]);
 
+    if (voglProgram.ownLoop && options.engine == vo::Options::Engine::Cast)
+        std::fprintf(stderr, "%s: draws its polygons in a loop of its own; -engine cast changes nothing\n",
+                     programName.c_str());
+
     voError::setErrorHandler(my_ExceptionHandler);
     std::vector<char*> arguments{programName.data()};
     for (std::string& file : options.files)

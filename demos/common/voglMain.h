@@ -26,6 +26,8 @@ struct VoglProgram
     const char* expected = "the file of one volume";
     /** Options of its own, beside those of all programs. */
     std::vector<vo::OwnOption> options = {};
+    /** It draws its polygons in a loop of its own, whatever -engine says. */
+    bool ownLoop = false;
     /** Radius of the sphere round all that it draws, in that of the volume. */
     double margin = 1;
     /** For -help: lines on its own keys and buttons; each ends. */

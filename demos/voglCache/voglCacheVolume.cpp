@@ -45,7 +45,10 @@ void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume)
     voglBeginBlending();
     // drawUtility draws the outlines too: they hide what lies behind them. Slices come back to front, and
     // hide nothing that comes later.
-    gl->DepthMask(GL_TRUE);
+    if (options.wireframe) gl->DepthMask(GL_TRUE);
+    if (options.engine)
+        voState::setEngine(*options.engine == vo::Options::Engine::Cast ? voEngineScope::CAST
+                                                                        : voEngineScope::SLICES);
     drawTimer.start();
     voGeometryActions::drawUtility(aTetraSet, voInterleavedArrayTypeScope::V3F, aVolume, cache,
                                    options.viewSpace ? voSamplingSpaceScope::VIEW_VOLUME

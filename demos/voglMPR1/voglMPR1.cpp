@@ -87,6 +87,7 @@ const VoglProgram voglProgram = {
                  {"A", "B", "C", "D"},
                  "the plane Ax + By + Cz + D = 0 in voxels (default: oblique, through the volume's centre)",
                  readPlane}},
+    .ownLoop = true,
     .keys = "Right drag    turn the plane\n"
             "+ -           move the plane along its normal\n",
     .pointer = turnPlane,

@@ -60,6 +60,7 @@ const VoglProgram voglProgram = {
                  {"DEGREES"},
                  "angle between the pages, which open towards -y (default 100)",
                  [](vo::Arguments& a) { fold = a.number(0, 360, "an angle in degrees"); }}},
+    .ownLoop = true,
     .keys = "Right drag    open and close the book\n",
     .pointer = foldPages,
 };

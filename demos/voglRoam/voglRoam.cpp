@@ -41,6 +41,7 @@ const VoglProgram voglProgram = {
                  {"X", "Y", "Z", "SIDE"},
                  "the cube of interest: its middle and its side, in voxels (default: half of the volume)",
                  readInterest}},
+    .ownLoop = true,
     .keys = "j l           move the cube along x, down and up\n"
             "u o           move the cube along y\n"
             "k i           move the cube along z\n"

@@ -46,6 +46,7 @@ const VoglProgram voglProgram = {
                  {"X", "Y", "Z"},
                  "the light comes from there: x to the right, y up, z to the viewer (default -3 4 4)",
                  readLight}},
+    .ownLoop = true,
     .keys = "Right drag    move the light: as on a ball that fills the window\n",
     .pointer = moveLight,
 };

@@ -55,6 +55,7 @@ const VoglProgram voglProgram = {
                  {"TAG"},
                  "do not draw the voxels with this tag; may be given for each tag",
                  [](vo::Arguments& a) { hidden.insert(readTag(a)); }}},
+    .ownLoop = true,
     .pointer = moveRamps,
 };
 

@@ -43,6 +43,7 @@ const VoglProgram voglProgram = {
           {"FILE"},
           "the second volume's table (default: an orange ramp)",
           [](vo::Arguments& a) { lutFile2 = a.text(); }}},
+    .ownLoop = true,
 };
 
 // One of the two. Object space has the voxels of the first volume for unit, and begins at the lower corner of

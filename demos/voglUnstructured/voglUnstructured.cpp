@@ -17,6 +17,7 @@ const VoglProgram voglProgram = {
     .leastArguments = 0,
     .mostArguments = 1,
     .expected = "at most one file of tetrahedra",
+    .ownLoop = true,
 };
 
 static Mesh mesh;

@@ -193,6 +193,15 @@ public:
 };
 typedef voDecorationFlagsScope::voDecorationFlags voDecorationFlags;
 
+/** Who draws the frames of voGeometryActions::drawUtility: slices through OpenGL, or the CPU engine, which computes the
+    same samples and draws them as one picture. AUTOMATIC: the CPU engine where OpenGL runs on the processor. */
+class voEngineScope
+{
+public:
+    enum voEngine VO_ANY_INT { AUTOMATIC, SLICES, CAST };
+};
+typedef voEngineScope::voEngine voEngine;
+
 /* Every header of the face brings voError in. */
 #include <vo/Error.h>
 

@@ -50,6 +50,8 @@ DriverQuirks findQuirks(const GladGLContext& gl)
     quirks.filters8BitTexturesCoarsely = llvmpipe;
     // Everything else it filters in floats, where hardware may have 8 bits of weight.
     quirks.filtersFloatTexturesExactly = llvmpipe;
+    for (const char* name : {"llvmpipe", "softpipe", "SWR", "swrast"})
+        quirks.drawsOnProcessor |= renderer && std::strstr(renderer, name);
     return quirks;
 }
 
@@ -80,6 +82,7 @@ void dropDeadRecords(Registry& all, const PlatformContext& platform)
 void doDeferredWork(Registry& all, ContextRecord& record)
 {
     for (const std::uint64_t id : record.doomedTextures) {
+        record.rayCaster.forget(id);
         const auto found = record.textures.find(id);
         if (found == record.textures.end()) continue;
         record.textureIds.erase(found->second.name);

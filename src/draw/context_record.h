@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cast/cast_picture.h"
+#include "cast/ray_cast.h"
 #include "core/volume_size.h"
 #include "draw/platform_context.h"
 #include "lookup/table.h"
@@ -27,6 +29,8 @@ struct DriverQuirks
     bool filters8BitTexturesCoarsely = false;
     /// Textures of floats are filtered with weights as exact as floats: tables need no mixing in the shader.
     bool filtersFloatTexturesExactly = false;
+    /// OpenGL runs on the processor: what we compute there ourselves costs less than what we draw.
+    bool drawsOnProcessor = false;
 };
 
 /// A table as it stands now; load() replaces the entries and gives them a new serial number.
@@ -35,6 +39,12 @@ struct TableSlot
     Table table;
     std::uint64_t serial = 0; ///< 0: never loaded
 };
+
+/// Who draws frames: slices through OpenGL, or the CPU engine.
+enum class Engine { slices, cast };
+
+/// automatic: the CPU engine where OpenGL runs on the processor too.
+enum class EngineChoice { automatic, slices, cast };
 
 enum class TableKind { preInterpolation, postInterpolation };
 
@@ -65,6 +75,25 @@ struct Program
     GLint table = -1;
 };
 
+/// The program that draws a finished picture.
+struct PictureProgram
+{
+    GLuint name = 0;
+    GLint rectangle = -1;
+    GLint picture = -1;
+    GLint alphas = -1;
+    GLint corner = -1;
+    GLint alphaFrom = -1;
+};
+
+/// Texels of a finished picture.
+struct PictureTexture
+{
+    GLuint name = 0;
+    int width = 0;
+    int height = 0;
+};
+
 /// What a program of the core profile sets through voState, and what both profiles keep beside OpenGL's own
 /// state.
 struct ContextState
@@ -82,6 +111,8 @@ struct ContextState
                                           glm::vec4(0, 0, 1, 0)};
 
     std::shared_ptr<TableSlot> activeTables[2]; ///< by TableKind
+
+    EngineChoice engine = EngineChoice::automatic;
 
     double unitLength = 0.0; ///< over which alpha is an opacity; 0: over a slice
     /// Of the face sets that the program draws itself (sampleGauge); nothing: their alpha is that of a slice.
@@ -110,6 +141,17 @@ public:
     GLuint tableTexture = 0;
     std::uint64_t tableTextureSerial = 0;
     std::uint64_t downloads = 0; ///< textures sent so far
+
+    PictureProgram pictureProgram;
+    PictureTexture pictureColor;
+    PictureTexture pictureAlpha;
+    GLuint pictureVertexArray = 0; ///< without attributes
+
+    RayCaster rayCaster;
+    CastPicture picture;                        ///< of the last frame that was cast
+    std::vector<float> depths;                  ///< of what is there, while a frame is cast
+    std::array<std::uint64_t, 2> framesDrawn{}; ///< by Engine
+    std::string whySlices;                      ///< the last reason told
 
     /// True when this record was made for the context that is current now.
     bool ownsCurrentContext() const;

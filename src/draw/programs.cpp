@@ -163,11 +163,11 @@ std::string preamble(const ProgramVariant& v)
     return text;
 }
 
-GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& head, const char* body)
+GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& text)
 {
     const GLuint shader = gl.CreateShader(stage);
-    const char* parts[] = {head.c_str(), body};
-    gl.ShaderSource(shader, 2, parts, nullptr);
+    const char* part = text.c_str();
+    gl.ShaderSource(shader, 1, &part, nullptr);
     gl.CompileShader(shader);
     GLint compiled = GL_FALSE;
     gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -183,18 +183,8 @@ GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& head, c
 Program link(const GladGLContext& gl, const ProgramVariant& variant)
 {
     const std::string head = preamble(variant);
-    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, head, kVertexShader);
-    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, head, kFragmentShader);
     Program program;
-    program.name = gl.CreateProgram();
-    gl.AttachShader(program.name, vertex);
-    gl.AttachShader(program.name, fragment);
-    gl.LinkProgram(program.name);
-    gl.DeleteShader(vertex);
-    gl.DeleteShader(fragment);
-    GLint linked = GL_FALSE;
-    gl.GetProgramiv(program.name, GL_LINK_STATUS, &linked);
-    if (!linked) throw std::runtime_error("the driver does not link a program of the library");
+    program.name = linkProgram(gl, head + kVertexShader, head + kFragmentShader);
     const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name, name); };
     program.clipFromObject = find("clipFromObject");
     program.eyeFromObject = find("eyeFromObject");
@@ -210,6 +200,22 @@ Program link(const GladGLContext& gl, const ProgramVariant& variant)
 }
 
 } // namespace
+
+GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText)
+{
+    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertexText);
+    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragmentText);
+    const GLuint program = gl.CreateProgram();
+    gl.AttachShader(program, vertex);
+    gl.AttachShader(program, fragment);
+    gl.LinkProgram(program);
+    gl.DeleteShader(vertex);
+    gl.DeleteShader(fragment);
+    GLint linked = GL_FALSE;
+    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked) throw std::runtime_error("the driver does not link a program of the library");
+    return program;
+}
 
 unsigned ProgramVariant::key() const
 {

@@ -2,6 +2,8 @@
 
 #include "draw/context_record.h"
 
+#include <string>
+
 namespace vo {
 
 enum class Texturing { none, twoDimensional, threeDimensional };
@@ -30,6 +32,10 @@ struct ProgramVariant
 
 /// Vertex attributes of every program.
 enum AttributeLocation : GLuint { kPosition = 0, kColor = 1, kTexCoord = 2 };
+
+/// A program of two shaders, whole texts with their #version. Throws std::runtime_error with the driver's
+/// words.
+GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText);
 
 /// The linked program, compiled on first use in this context.
 const Program& programFor(ContextRecord& context, const ProgramVariant& variant);

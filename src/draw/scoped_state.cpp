@@ -35,6 +35,8 @@ void replaceTransfer(const GladGLContext& gl)
         gl.PixelTransferf(scale, 1.0f);
     for (const GLenum bias : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS})
         gl.PixelTransferf(bias, 0.0f);
+    gl.PixelTransferf(GL_DEPTH_SCALE, 1.0f);
+    gl.PixelTransferf(GL_DEPTH_BIAS, 0.0f);
     gl.PixelTransferi(GL_MAP_COLOR, GL_FALSE);
 }
 

@@ -4,6 +4,7 @@
 #include "draw/draw_faces.h"
 #include "draw/draw_state.h"
 #include "draw/scoped_state.h"
+#include "frame/cast_frame.h"
 #include "polygonize/line_of_sight.h"
 #include "sort/brick_order.h"
 
@@ -121,18 +122,6 @@ struct FrameTriangles
     Camera camera; ///< for which they were made
 };
 
-void sortBackToFront(FrameTriangles& triangles, std::span<const Box> boxes, const Camera& camera)
-{
-    if (triangles.bricksInterleave) return;
-    const std::vector<int> order = backToFront(boxes, camera);
-    std::vector<int> place(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
-    std::ranges::sort(triangles.runs, {}, [&](const PolygonCache::Run& run) {
-        return place[static_cast<std::size_t>(run.brick)];
-    });
-}
-
 FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& request, const Camera& camera,
                               FrameCache& cache)
 {
@@ -179,7 +168,29 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
     return FrameResult::ok;
 }
 
+void countFrame(ContextRecord& context, Engine engine)
+{
+    ++context.framesDrawn[static_cast<std::size_t>(engine)];
+}
+
+void tellWhySlices(ContextRecord& context, const std::string& reason)
+{
+    if (context.whySlices == reason) return;
+    context.whySlices = reason;
+    debug(1, "drawing slices: " + reason);
+}
+
 } // namespace
+
+void sortBackToFront(std::span<PolygonCache::Run> runs, std::span<const Box> boxes, const Camera& camera)
+{
+    const std::vector<int> order = backToFront(boxes, camera);
+    std::vector<int> place(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+    std::ranges::sort(
+        runs, {}, [&](const PolygonCache::Run& run) { return place[static_cast<std::size_t>(run.brick)]; });
+}
 
 FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, FrameCache& cache)
 {
@@ -188,6 +199,14 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
     const std::optional<Camera> camera = findCamera(state.model, state.projection);
     if (!camera) return FrameResult::singularMatrices;
     if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
+    const std::string whySlices = drawCastFrame(context, request, state, *camera, cache);
+    if (whySlices.empty()) {
+        countFrame(context, Engine::cast);
+        clock.finish();
+        clock.end(&FrameTimes::draw);
+        return FrameResult::ok;
+    }
+    tellWhySlices(context, whySlices);
     clock.end(&FrameTimes::draw);
 
     FrameTriangles triangles = frameTriangles(context, request, *camera, cache);
@@ -195,7 +214,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
         debug(2, std::string("frame: ") + (triangles.anew ? "new" : "kept") + " polygons, " +
                      std::to_string(triangles.samples) + " samples, drawn as slices");
     clock.end(&FrameTimes::polygonize);
-    sortBackToFront(triangles, request.clipBoxes, *camera);
+    if (!triangles.bricksInterleave) sortBackToFront(triangles.runs, request.clipBoxes, *camera);
     clock.end(&FrameTimes::sort);
 
     DrawState samples = state;
@@ -205,6 +224,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
 
     const ScopedTextureBindings bindings(context.gl);
     const FrameResult result = drawBricks(context, request, triangles, samples, clock);
+    if (result == FrameResult::ok) countFrame(context, Engine::slices);
     clock.finish();
     clock.end(&FrameTimes::draw);
     return result;

@@ -7,6 +7,7 @@
 #include "frame/space_leaping.h"
 
 #include <span>
+#include <vector>
 
 namespace vo {
 
@@ -59,6 +60,9 @@ struct FrameCache
 /// Draws a volume in the state of the context: polygons (from the cache while they are current), bricks back
 /// to front, each with its texture. The caller's texture bindings and all else are given back.
 FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, FrameCache& cache);
+
+/// Runs of bricks whose order is that of boxes (PolygonCache::bricksInterleave says of which it is not).
+void sortBackToFront(std::span<PolygonCache::Run> runs, std::span<const Box> boxes, const Camera& camera);
 
 /// Corners of the twelve edges of a box: 24 positions, 72 floats.
 void appendBoxEdges(const glm::vec3& origin, const glm::vec3& size, std::vector<float>& positions);

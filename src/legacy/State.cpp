@@ -1,5 +1,6 @@
 #include "legacy/inside.h"
 
+#include "legacy/enums.h"
 #include "legacy/report.h"
 
 #include <vo/State.h>
@@ -113,4 +114,22 @@ void voState::setSampling(voIndexedTetraSet* tetraSet, voBrickSet* brickSet, GLd
 void voState::resetSampling()
 {
     guarded("voState::resetSampling", [] { vo::requireContext().state.sampleGauge.reset(); });
+}
+
+void voState::setEngine(voEngine engine)
+{
+    guarded("voState::setEngine",
+            [&] { vo::requireContext().state.engine = vo::engineChoiceOf(static_cast<int>(engine)); });
+}
+
+long voState::getFramesDrawn(voEngine engine)
+{
+    long count = 0;
+    guarded("voState::getFramesDrawn", [&] {
+        const vo::EngineChoice wanted = vo::engineChoiceOf(static_cast<int>(engine));
+        const auto& [slices, cast] = vo::requireContext().framesDrawn;
+        if (wanted != vo::EngineChoice::cast) count += static_cast<long>(slices);
+        if (wanted != vo::EngineChoice::slices) count += static_cast<long>(cast);
+    });
+    return count;
 }

@@ -146,6 +146,16 @@ SamplingSpace samplingSpace(int space)
     badEnum(described("voSamplingSpace", space));
 }
 
+EngineChoice engineChoiceOf(int engine)
+{
+    switch (static_cast<voEngine>(engine)) {
+    case voEngineScope::AUTOMATIC: return EngineChoice::automatic;
+    case voEngineScope::SLICES: return EngineChoice::slices;
+    case voEngineScope::CAST: return EngineChoice::cast;
+    }
+    badEnum(described("voEngine", engine));
+}
+
 RecordLayout recordLayout(int format, int values)
 {
     switch (static_cast<voInterleavedArrayType>(format)) {

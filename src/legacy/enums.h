@@ -6,6 +6,7 @@
 #include "appearance/brick_grid.h"
 #include "appearance/voxel_format.h"
 #include "core/record_layout.h"
+#include "draw/context_record.h"
 #include "polygonize/sampling_planes.h"
 
 #include <vo/Enums.h>
@@ -25,6 +26,7 @@ TexelFormat texelFormat(voInternalFormatType format);
 PartialBricks partialBricks(int type);
 SamplingMode samplingMode(int mode);
 SamplingSpace samplingSpace(int space);
+EngineChoice engineChoiceOf(int engine);
 /// USER_V3F: nothing but the position, the last three of `values` floats.
 RecordLayout recordLayout(int format, int values);
 

@@ -204,6 +204,7 @@ void SceneDrawing::draw(const View& view)
         float period[3] = {1, 1, 1};
         for (int axis = 0; scene_.period && axis < 3; ++axis)
             period[axis] = static_cast<float>((*scene_.period)[axis]);
+        voState::setEngine(options_.engine);
         voGeometryActions::drawUtility(tetras_.get(),
                                        options_.explicitTexCoords ? voInterleavedArrayTypeScope::T3F_V3F
                                                                   : voInterleavedArrayTypeScope::V3F,

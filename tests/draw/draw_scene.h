@@ -14,9 +14,10 @@ namespace vo::test {
 /// How the library is asked to draw a Scene.
 struct DrawOptions
 {
-    int bricks = 1;                 ///< a side; the volume's sizes need not divide
-    bool utility = false;           ///< drawUtility instead of the guide's own loops
-    bool explicitTexCoords = false; ///< T3F_V3F and xfmVox2TexCoords instead of texgen
+    int bricks = 1;                          ///< a side; the volume's sizes need not divide
+    bool utility = false;                    ///< drawUtility instead of the guide's own loops
+    voEngine engine = voEngineScope::SLICES; ///< of drawUtility
+    bool explicitTexCoords = false;          ///< T3F_V3F and xfmVox2TexCoords instead of texgen
     voDataType dataType = voDataTypeScope::UNSIGNED_BYTE;
     voExternalFormatType externalFormat =
         voExternalFormatTypeScope::DEFAULT; ///< from the channels of the field

@@ -135,6 +135,13 @@ void readSpace(Options& options, Arguments& arguments)
     options.viewSpace = word == "view";
 }
 
+void readEngine(Options& options, Arguments& arguments)
+{
+    const std::string word = arguments.text();
+    if (word != "slices" && word != "cast") arguments.fail("slices or cast", word);
+    options.engine = word == "cast" ? Options::Engine::Cast : Options::Engine::Slices;
+}
+
 /// Every option of the programs, in the order of -help.
 const std::vector<Option>& optionTable()
 {
@@ -261,6 +268,13 @@ const std::vector<Option>& optionTable()
          All,
          "turn once round in N frames and print the median time of a frame",
          [](Options& o, Arguments& a) { o.frames = a.integer(1, 1000000, "a number of frames"); }},
+        {"engine",
+         {"slices|cast"},
+         Ours,
+         All,
+         "draw each frame by one call of the library: as slices through OpenGL, or computed by the CPU\n"
+         "engine (default: the program's own loop over slices)",
+         readEngine},
         {"mip",
          {},
          Ours,

@@ -17,6 +17,7 @@ enum class OptionSet { Simple, All };
 
 struct Options
 {
+    enum class Engine { Slices, Cast };
     struct DataRange
     {
         double low;
@@ -62,6 +63,8 @@ struct Options
     double perspective = 0;
     /// Sampling surfaces are shells round the eye instead of planes.
     bool shells = false;
+    /// Who draws frames by one call of drawUtility; unset: the program polygonizes and draws slices itself.
+    std::optional<Engine> engine;
     /// 0: none to time.
     int frames = 0;
     bool mip = false;

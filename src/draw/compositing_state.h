@@ -1,0 +1,49 @@
+#pragma once
+
+#include "cast/cast_request.h"
+#include "draw/context_record.h"
+#include "draw/draw_state.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vo {
+
+/// What the blend state does to the alpha that is there.
+enum class AlphaRule {
+    likeColor, ///< the same factors as for the colours
+    opacity,   ///< GL_ONE, GL_ONE_MINUS_SRC_ALPHA: what hides the background
+    kept,      ///< GL_ZERO, GL_ONE
+};
+
+struct Blending
+{
+    CastBlending color = CastBlending::over;
+    AlphaRule alpha = AlphaRule::likeColor;
+};
+
+/// The caller's blend state if it is one of those in which fragments can be joined before they are drawn: of
+/// the colours over, max, min, sum or alphaSum, and with over another rule for alpha. Nothing for all others.
+std::optional<Blending> readBlending(const ContextRecord& context);
+
+/// The caller's state as far as it decides how fragments join what is there.
+struct CompositingState
+{
+    Blending blending;
+    bool depthTest = false;
+    bool depthOrEqual = false;
+    GLdouble depthRange[2] = {0.0, 1.0};
+    GLint viewport[4] = {0, 0, 0, 0};
+    std::vector<glm::vec4> clipPlanes; ///< those that are enabled, in eye space
+};
+
+/// Why a picture drawn at once would differ from slices drawn one by one in this state; empty when it would
+/// not, and `state` is filled then. `unbounded`: fragments may have colours outside 0 to 1.
+std::string readCompositingState(const ContextRecord& context, const DrawState& draw, bool unbounded,
+                                 CompositingState& state);
+
+/// The window depths of the viewport, rows from the bottom.
+void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths);
+
+} // namespace vo
