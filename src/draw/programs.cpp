@@ -163,10 +163,10 @@ std::string preamble(const ProgramVariant& v)
     return text;
 }
 
-GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& text)
+GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& source)
 {
     const GLuint shader = gl.CreateShader(stage);
-    const char* part = text.c_str();
+    const char* part = source.c_str();
     gl.ShaderSource(shader, 1, &part, nullptr);
     gl.CompileShader(shader);
     GLint compiled = GL_FALSE;

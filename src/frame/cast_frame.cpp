@@ -162,7 +162,8 @@ std::string drawCastFrame(ContextRecord& context, const FrameRequest& request, c
         fill(context, request, camera, cast, cache.polygons);
     compositePicture(context, draw, state, context.picture);
     if (debugLevel() >= 2)
-        debug(2, noRays.empty() ? "frame: rays" : "frame: polygons filled, no rays since " + noRays);
+        debug(2, "frame: computed by the CPU engine, " +
+                     (noRays.empty() ? std::string("by rays") : "polygon by polygon: " + noRays));
     return "";
 }
 

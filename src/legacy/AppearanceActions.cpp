@@ -505,7 +505,11 @@ int voAppearanceActions::textureBind(voTexture3D* texture)
 
 int voAppearanceActions::textureLoad(voTexture3D* texture)
 {
-    return guarded("voAppearanceActions::textureLoad", [&] { bind(required(texture, "texture"), true); });
+    return guarded("voAppearanceActions::textureLoad", [&] {
+        ++voInside::of(required(texture, "texture"))
+              .version; // other contexts and the CPU engine have older voxels
+        bind(*texture, true);
+    });
 }
 
 void voAppearanceActions::textureMakeMatrix(voBrick* brick, float* matrix)

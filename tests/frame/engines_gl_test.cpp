@@ -389,7 +389,7 @@ TEST_F(EngineState, newVoxelsAndTablesShow)
     voBrick* brick = drawing_->volume().getCurrentBrickSet()->getBrick(0);
     auto* voxels = static_cast<unsigned char*>(brick->getDataPtr());
     std::fill_n(voxels + 36 * 30 * 10, 36 * 30 * 8, static_cast<unsigned char>(200));
-    voAppearanceActions::textureLoad(brick, VO_TRUE);
+    voAppearanceActions::textureLoad(brick);
     const Comparison second = compareOver(0, 0);
     EXPECT_GE(second.psnrAll, 50.0) << second.summary();
     EXPECT_GT(compareDrawn(context_->readFloats(), before).fractionOff, 0.05) << "the new voxels show";
