@@ -70,12 +70,15 @@ void sendPixels(const GladGLContext& gl, PictureTexture& texture, GLint internal
     texture.height = picture.height;
 }
 
-/// The caller's state that stands in the way of a picture which has been tested and clipped already.
+/// The caller's state that stands in the way of a picture which has been tested and clipped already, and the
+/// texture of the unit that is active at the scope's begin.
 class ScopedPictureState
 {
 public:
     explicit ScopedPictureState(const GladGLContext& gl) : gl_(gl), depthTest_(gl.IsEnabled(GL_DEPTH_TEST))
     {
+        gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
+        gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
         for (GLenum i = 0; i < clipped_.size(); ++i) {
             clipped_[i] = gl.IsEnabled(GL_CLIP_DISTANCE0 + i);
             if (clipped_[i]) gl.Disable(GL_CLIP_DISTANCE0 + i);
@@ -91,6 +94,8 @@ public:
     }
     ~ScopedPictureState()
     {
+        gl_.ActiveTexture(static_cast<GLenum>(unit_));
+        gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture_));
         gl_.BlendFuncSeparate(factors_[0], factors_[1], factors_[2], factors_[3]);
         if (depthTest_) gl_.Enable(GL_DEPTH_TEST);
         for (GLenum i = 0; i < clipped_.size(); ++i)
@@ -102,6 +107,8 @@ public:
 private:
     const GladGLContext& gl_;
     GLboolean depthTest_;
+    GLint unit_ = 0;
+    GLint texture_ = 0;
     std::array<GLboolean, 8> clipped_{};
     std::array<GLenum, 4> factors_{};
 };
@@ -142,6 +149,8 @@ void compositePicture(ContextRecord& context, const DrawState& draw, const Compo
     const GladGLContext& gl = context.gl;
     const ScopedTextureBindings bindings(gl);
     const ScopedDrawState drawScope(gl, draw.voxelUnit, draw.tableUnit);
+    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(draw.tableUnit));
+    const ScopedPictureState scope(gl);
     {
         const ScopedUploadState uploadScope(gl, context.core);
         if (alphaSource(state.blending) == 1)
@@ -154,7 +163,6 @@ void compositePicture(ContextRecord& context, const DrawState& draw, const Compo
     setUniforms(gl, program, draw, state, picture);
     if (context.pictureVertexArray == 0) gl.GenVertexArrays(1, &context.pictureVertexArray);
     gl.BindVertexArray(context.pictureVertexArray);
-    const ScopedPictureState scope(gl);
     if (state.blending.color == CastBlending::over) gl.BlendFunc(GL_ONE, GL_SRC1_COLOR);
     if (state.blending.color == CastBlending::alphaSum) gl.BlendFunc(GL_ONE, GL_ONE);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

@@ -83,7 +83,7 @@ TEST_F(CachedDemos, cacheKeepsPolygonsWithinTheThreshold)
     const auto made = [this](const std::string& threshold) {
         const ProgramRun run = folder.run(std::string(VOLUMIZER_PROGRAMS) + "/voglCache",
                                           {"blob.tif", "-size", "40", "40", "-frames", "36", "-output",
-                                           "last.png", "-threshold", threshold},
+                                           "last.png", "-engine", "slices", "-threshold", threshold},
                                           "VO_DEBUG=2");
         EXPECT_EQ(run.status, 0) << run.errors;
         EXPECT_EQ(count(run.errors, "new polygons") + count(run.errors, "kept polygons"), 36) << run.errors;
@@ -136,8 +136,9 @@ protected:
         return names;
     }
 
-    void expectBasicsPicture(const std::string& type, const std::string& words = "-view 20 30 -size 50 40")
+    void expectBasicsPicture(const std::string& type, const std::string& view = "-view 20 30 -size 50 40")
     {
+        const std::string words = view + " -engine slices"; // one way to draw, to the byte
         const Picture basic = draw("voglBasic", "volume.tif " + words);
         EXPECT_GT(*std::max_element(basic.bytes.begin(), basic.bytes.end()), 40) << type;
         const std::string sizes = " 14 11 6 " + type + " ";

@@ -498,6 +498,7 @@ struct CachedDrawing : RealPrograms
         application.reset(new Application(node, field));
         application->load();
         application->makeGeometry();
+        voState::setEngine(voEngineScope::SLICES);
         voError::setDebugLevel(2);
         voError::setDebugStream(messages);
     }
