@@ -197,8 +197,10 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     job.depth = request.depth.depths.empty() ? nullptr : &request.depth;
     job.viewportWidth = request.width;
     job.blockCount = kept.grid->blockCount();
-    const bool mayBeEmpty = request.blending != CastBlending::max && request.blending != CastBlending::min;
-    job.blockDistance = d->leaping && mayBeEmpty ? kept.blocks.distance.data() : nullptr;
+    const bool extreme = request.blending == CastBlending::max || request.blending == CastBlending::min;
+    job.extremeOfRaw = extreme && kept.plan.rises() && !job.gauge;
+    if (d->leaping && !extreme) job.blockDistance = kept.blocks.distance.data();
+    if (d->leaping && job.extremeOfRaw) job.blockRanges = kept.grid->blockRanges().data();
     job.picture = &picture;
 
     const int columns = (picture.width + kTile - 1) / kTile, rows = (picture.height + kTile - 1) / kTile;

@@ -28,6 +28,53 @@ constexpr IntTag kInts;
 constexpr UintTag kUints;
 constexpr int kLanes = static_cast<int>(HWY_LANES(float) < 16 ? HWY_LANES(float) : 16);
 
+/// Highway's gathers leave what was in the target register before as an input, and GCC then makes each wait
+/// for the sample before: with an explicit zero, samples overlap.
+#if HWY_TARGET == HWY_AVX3
+HWY_INLINE Ints gatherAtByte(const std::int32_t* base, Ints offset)
+{
+    return Ints{_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, offset.raw, base, 1)};
+}
+HWY_INLINE Ints gather(const std::int32_t* base, Ints index)
+{
+    return Ints{_mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xffff, index.raw, base, 4)};
+}
+HWY_INLINE Floats gather(const float* base, Ints index)
+{
+    return Floats{_mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, index.raw, base, 4)};
+}
+/// Highway's conversions also saturate, which costs three operations more; numbers here are far smaller.
+HWY_INLINE Ints toNearest(Floats v)
+{
+    return Ints{_mm512_cvtps_epi32(v.raw)};
+}
+HWY_INLINE Ints toLower(Floats v)
+{
+    return Ints{_mm512_cvttps_epi32(v.raw)};
+}
+#else
+HWY_INLINE Ints toNearest(Floats v)
+{
+    return hn::NearestInt(v);
+}
+HWY_INLINE Ints toLower(Floats v)
+{
+    return hn::ConvertTo(kInts, v);
+}
+HWY_INLINE Ints gatherAtByte(const std::int32_t* base, Ints offset)
+{
+    return hn::GatherOffset(kInts, base, offset);
+}
+HWY_INLINE Ints gather(const std::int32_t* base, Ints index)
+{
+    return hn::GatherIndex(kInts, base, index);
+}
+HWY_INLINE Floats gather(const float* base, Ints index)
+{
+    return hn::GatherIndex(kFloats, base, index);
+}
+#endif
+
 /// Places in a grid are numbers of 1/32768 voxel.
 constexpr int kPlaceBits = 15;
 constexpr float kPlaceUnit = 32768.0f;
@@ -54,7 +101,7 @@ public:
     /// Of grid coordinates (times kPlaceUnit). Whatever they are, the cell is one that can be read.
     HWY_INLINE Place place(Floats x, Floats y, Floats z) const
     {
-        return place(hn::NearestInt(x), hn::NearestInt(y), hn::NearestInt(z));
+        return place(toNearest(x), toNearest(y), toNearest(z));
     }
 
     HWY_INLINE Place place(Ints x, Ints y, Ints z) const
@@ -101,8 +148,8 @@ struct ByteSampler
     HWY_INLINE Floats value(const Place& at, int = 0) const
     {
         const Ints offset = at.cell + at.cell;
-        const Ints lower = hn::GatherOffset(kInts, cells_, offset);
-        const Ints upper = hn::GatherOffset(kInts, above_, offset);
+        const Ints lower = gatherAtByte(cells_, offset);
+        const Ints upper = gatherAtByte(above_, offset);
         const Ints both = columns(lower, upper, at.y, at.z);
         const Floats left = hn::ConvertTo(kFloats, hn::And(both, hn::Set(kInts, 0xffff)));
         const Floats right = hn::ConvertTo(kFloats, hn::ShiftRight<16>(both));
@@ -160,8 +207,7 @@ struct ShortSampler
     {
         const Floats y = weightOf(at.y), x = weightOf(at.x);
         const auto row = [&](const std::int32_t* cells) {
-            return between(column(hn::GatherIndex(kInts, cells, at.cell), y),
-                           column(hn::GatherIndex(kInts, cells + 1, at.cell), y), x);
+            return between(column(gather(cells, at.cell), y), column(gather(cells + 1, at.cell), y), x);
         };
         return between(row(cells_), row(cells_ + slicePitch_), weightOf(at.z));
     }
@@ -196,8 +242,7 @@ struct FloatSampler
         const Ints number = kNumbers == 1 ? at.cell : hn::ShiftLeft<2>(at.cell);
         const Floats x = weightOf(at.x), y = weightOf(at.y);
         const auto row = [&](const float* cells) {
-            return between(hn::GatherIndex(kFloats, cells, number),
-                           hn::GatherIndex(kFloats, cells + kNumbers, number), x);
+            return between(gather(cells, number), gather(cells + kNumbers, number), x);
         };
         const auto slice = [&](const float* cells) { return between(row(cells), row(cells + rowPitch_), y); };
         const float* cells = cells_ + channel;

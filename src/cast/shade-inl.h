@@ -41,20 +41,19 @@ private:
     float base_[4];
 };
 
-class TableShade
+/// Where a sample falls in a table of `last` + 1 entries.
+class TablePlace
 {
 public:
-    TableShade(const ShadingPlan& plan, float rawUnit)
+    TablePlace(const ShadingPlan& plan, float rawUnit)
         : scale_(static_cast<float>(plan.last) / rawUnit), last_(static_cast<float>(plan.last))
     {
-        for (std::size_t c = 0; c < 4; ++c)
-            entries_[c] = plan.entries[c].data();
     }
 
     struct Key
     {
-        Ints entry; ///< twice its number
-        Floats weight;
+        Ints entry;
+        Floats weight; ///< of the next one
     };
     HWY_INLINE Key key(Floats raw) const
     {
@@ -62,20 +61,61 @@ public:
         const Floats zero = hn::Zero(kFloats);
         const Floats scaled = hn::Min(raw * hn::Set(kFloats, scale_), hn::Set(kFloats, last_));
         const Floats place = hn::IfThenElseZero(raw > zero, scaled);
-        const Ints entry = hn::ConvertTo(kInts, place);
-        return {entry + entry, place - hn::ConvertTo(kFloats, entry)};
-    }
-    HWY_INLINE Floats component(const Key& key, std::size_t c) const
-    {
-        const Floats entry = hn::GatherIndex(kFloats, entries_[c], key.entry);
-        const Floats difference = hn::GatherIndex(kFloats, entries_[c] + 1, key.entry);
-        return hn::MulAdd(key.weight, difference, entry);
+        const Ints entry = toLower(place);
+        return {entry, place - hn::ConvertTo(kFloats, entry)};
     }
 
 private:
     float scale_;
     float last_;
+};
+
+class TableShade : public TablePlace
+{
+public:
+    TableShade(const ShadingPlan& plan, float rawUnit) : TablePlace(plan, rawUnit)
+    {
+        for (std::size_t c = 0; c < 4; ++c)
+            entries_[c] = plan.entries[c].data();
+    }
+
+    HWY_INLINE Floats component(const Key& key, std::size_t c) const
+    {
+        const Ints number = key.entry + key.entry;
+        const Floats entry = gather(entries_[c], number);
+        const Floats difference = gather(entries_[c] + 1, number);
+        return hn::MulAdd(key.weight, difference, entry);
+    }
+
+private:
     const float* entries_[4];
+};
+
+/// Of packed entries.
+class PackedShade : public TablePlace
+{
+public:
+    PackedShade(const ShadingPlan& plan, float rawUnit) : TablePlace(plan, rawUnit)
+    {
+        for (std::size_t c = 0; c < 4; ++c) {
+            packed_[c] = reinterpret_cast<const std::int32_t*>(plan.packed[c].data());
+            entryScale_[c] = plan.entryScale[c];
+            differenceScale_[c] = plan.differenceScale[c];
+        }
+    }
+
+    HWY_INLINE Floats component(const Key& key, std::size_t c) const
+    {
+        const Ints packed = gather(packed_[c], key.entry);
+        const Ints upper = hn::BitCast(kInts, hn::ShiftRight<16>(hn::BitCast(kUints, packed)));
+        const Floats entry = hn::ConvertTo(kFloats, upper) * hn::Set(kFloats, entryScale_[c]);
+        const Floats difference = hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(packed)));
+        return hn::MulAdd(key.weight * hn::Set(kFloats, differenceScale_[c]), difference, entry);
+    }
+
+private:
+    const std::int32_t* packed_[4];
+    float entryScale_[4], differenceScale_[4];
 };
 
 /// 1 - (1 - alpha)^units.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vo {
 
@@ -26,6 +27,33 @@ void setTable(const Table& table, const std::array<float, 4>& factor, ShadingPla
     }
 }
 
+/// Packs nothing where that would lose too much.
+void packEntries(ShadingPlan& plan)
+{
+    constexpr float kMostEntry = 65535.0f, kMostDifference = 32767.0f, kLoss = 1.0f / 256.0f;
+    std::array<std::vector<std::uint32_t>, 4> packed;
+    for (std::size_t c = 0; c < 4; ++c) {
+        const std::vector<float>& entries = plan.entries[c];
+        float most = 0.0f, mostDifference = 0.0f;
+        for (std::size_t i = 0; i < entries.size(); i += 2) {
+            if (!(entries[i] >= 0.0f) || !std::isfinite(entries[i])) return;
+            most = std::max(most, entries[i]);
+            mostDifference = std::max(mostDifference, std::abs(entries[i + 1]));
+        }
+        plan.entryScale[c] = most > 0.0f ? most / kMostEntry : 1.0f;
+        plan.differenceScale[c] = mostDifference > 0.0f ? mostDifference / kMostDifference : 1.0f;
+        for (std::size_t i = 0; i < entries.size(); i += 2) {
+            const float entry = std::round(entries[i] / plan.entryScale[c]);
+            const float difference = std::round(entries[i + 1] / plan.differenceScale[c]);
+            if (std::abs(entry * plan.entryScale[c] - entries[i]) > kLoss * entries[i]) return;
+            const auto low = static_cast<std::uint16_t>(
+                static_cast<std::int16_t>(std::clamp(difference, -kMostDifference, kMostDifference)));
+            packed[c].push_back(static_cast<std::uint32_t>(std::clamp(entry, 0.0f, kMostEntry)) << 16 | low);
+        }
+    }
+    plan.packed = std::move(packed);
+}
+
 } // namespace
 
 ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool classified)
@@ -37,6 +65,7 @@ ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool clas
     if (!shading.replace) factor = {shading.color.r, shading.color.g, shading.color.b, shading.color.a};
     if (shading.table) {
         setTable(*shading.table, factor, plan);
+        packEntries(plan);
     } else {
         plan.slope = factor;
         // Alpha is 1 where the texture has none; replacing keeps the colour's.
@@ -48,6 +77,11 @@ ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool clas
     plan.grey = plan.oneChannel && plan.entries[0] == plan.entries[1] && plan.entries[0] == plan.entries[2] &&
                 plan.slope[0] == plan.slope[1] && plan.slope[0] == plan.slope[2];
     return plan;
+}
+
+bool ShadingPlan::rises() const
+{
+    return oneChannel && !table && std::ranges::all_of(slope, [](float s) { return s >= 0.0f; });
 }
 
 bool ShadingPlan::isZero(int component, float low, float high, float unit) const

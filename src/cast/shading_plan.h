@@ -3,6 +3,7 @@
 #include "cast/cast_request.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace vo {
@@ -17,11 +18,18 @@ struct ShadingPlan
     int last = 0;      ///< number of the last entry
     /// (entry, next entry - entry) for each entry; the last one's difference is 0.
     std::array<std::vector<float>, 4> entries;
+    /// The same in 32 bits, if that keeps every entry to 1/256 of itself: the entry in the upper 16, the
+    /// difference (signed) in the lower, each times its scale. Half the reads.
+    std::array<std::vector<std::uint32_t>, 4> packed;
+    std::array<float, 4> entryScale{}, differenceScale{};
     std::array<float, 4> slope{};
     std::array<float, 4> base{};
 
     /// True when component c is 0 for all values from low to high, as stored (`unit` stands for 1).
     bool isZero(int component, float low, float high, float unit) const;
+
+    /// True when there is one channel, no table, and no component falls as values rise.
+    bool rises() const;
 
     std::array<std::vector<int>, 4> notZero; ///< number of entries before each that are not 0
 };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace vo {
@@ -204,13 +205,15 @@ struct Fragments
     const Sampler& sampler;
     const Shade& shade;
     const Place& at;
+    Floats value;
     typename Shade::Key key;
 
-    HWY_INLINE Fragments(const Sampler& s, const Shade& f, const Place& place)
-        : sampler(s), shade(f), at(place), key(f.key(s.value(place, Sampler::kChannels - 1)))
+    HWY_INLINE Fragments(const Sampler& s, const Shade& f, const Place& place, Floats answer)
+        : sampler(s), shade(f), at(place), value(answer), key(f.key(answer))
     {
     }
 
+    HWY_INLINE Floats raw() const { return value; }
     HWY_INLINE Floats alpha() const { return shade.component(key, 3); }
     HWY_INLINE Floats color(std::size_t c) const
     {
@@ -323,6 +326,46 @@ private:
     Floats value_[4];
 };
 
+/// The largest or the smallest sample, where no component falls as samples rise; shaded at the end.
+class Extreme
+{
+public:
+    Extreme(const RayJob& job, const Packet& packet)
+        : job_(job), most_(job.blending == CastBlending::max), raw_(hn::Set(kFloats, startOf(job.blending))),
+          count_(hn::Load(kFloats, packet.count))
+    {
+    }
+
+    template <class Source>
+    HWY_INLINE void add(const Source& source, Mask active)
+    {
+        const Floats raw = source.raw();
+        raw_ = hn::IfThenElse(active, most_ ? hn::Max(raw_, raw) : hn::Min(raw_, raw), raw_);
+    }
+
+    HWY_INLINE Floats left(Floats count) const { return count; }
+
+    PixelLanes result() const
+    {
+        const LinearShade shade(*job_.shading, job_.grid.rawUnit);
+        const Mask any = count_ > hn::Zero(kFloats);
+        PixelLanes pixels;
+        for (std::size_t c = 0; c < 4; ++c)
+            pixels.rgbt[c] = hn::IfThenElse(any, shade.component(shade.key(raw_), c), raw_);
+        pixels.alpha = pixels.rgbt[3];
+        return pixels;
+    }
+
+    /// Where a block's highest (for max; else lowest) sample changes anything.
+    HWY_INLINE Mask mayChange(Floats end) const { return most_ ? end > raw_ : end < raw_; }
+
+private:
+    const RayJob& job_;
+    bool most_;
+    Floats raw_;
+    Floats count_;
+};
+
 // ---- The walk
 
 /// Steps over blocks that hold nothing.
@@ -331,6 +374,7 @@ class Leaps
 public:
     Leaps(const RayJob& job, const Packet& packet)
         : distance_(reinterpret_cast<const std::int32_t*>(job.blockDistance)),
+          ranges_(job.blockRanges ? job.blockRanges + (job.blending == CastBlending::max) : nullptr),
           pitchY_(hn::Set(kInts, job.blockCount.x)),
           pitchZ_(hn::Set(kInts, job.blockCount.x * job.blockCount.y)),
           last_(hn::Set(
@@ -347,7 +391,8 @@ public:
     }
 
     /// Samples that may be left out from these places on; 0 where a block may hold something.
-    HWY_INLINE Floats leap(const Ints (&place)[3], Mask& occupied) const
+    template <class Blend>
+    HWY_INLINE Floats leap(const Ints (&place)[3], const Blend& blend, Mask& occupied) const
     {
         constexpr int kShift = kPlaceBits + kBlockShift;
         Ints block[3];
@@ -355,8 +400,14 @@ public:
             block[axis] = hn::ShiftRight<kShift>(place[axis]);
         const Ints number = block[0] + block[1] * pitchY_ + block[2] * pitchZ_;
         const Ints inside = hn::BitCast(kInts, hn::Min(hn::BitCast(kUints, number), last_));
-        const Ints free = hn::And(hn::GatherOffset(kInts, distance_, inside), hn::Set(kInts, 0xff));
-        occupied = hn::RebindMask(kFloats, free == hn::Zero(kInts));
+        Ints free;
+        if constexpr (std::is_same_v<Blend, Extreme>) {
+            occupied = blend.mayChange(gather(ranges_, inside + inside));
+            free = hn::BitCast(kInts, hn::IfThenZeroElse(occupied, hn::BitCast(kFloats, hn::Set(kInts, 1))));
+        } else {
+            free = hn::And(gatherAtByte(distance_, inside), hn::Set(kInts, 0xff));
+            occupied = hn::RebindMask(kFloats, free == hn::Zero(kInts));
+        }
         if (hn::AllTrue(kFloats, occupied)) return hn::Zero(kFloats);
         Floats steps = hn::Set(kFloats, 1e6f);
         for (int axis = 0; axis < 3; ++axis) {
@@ -373,6 +424,7 @@ public:
 
 private:
     const std::int32_t* distance_;
+    const float* ranges_;
     Ints pitchY_, pitchZ_;
     hn::Vec<UintTag> last_;
     Floats perStep_[3];
@@ -385,7 +437,8 @@ PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
     const GridLanes grid(job.grid);
     const Sampler sampler(job.grid);
     const Leaps leaps(job, packet);
-    const bool leaping = job.blockDistance != nullptr;
+    const bool leaping =
+        std::is_same_v<Blend, Extreme> ? job.blockRanges != nullptr : job.blockDistance != nullptr;
     Blend blend(job, packet);
     Floats start[3], step[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -398,18 +451,23 @@ PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
         if (leaping) {
             Ints place[3];
             for (int axis = 0; axis < 3; ++axis)
-                place[axis] = hn::NearestInt(hn::MulAdd(sample, step[axis], start[axis]));
+                place[axis] = toNearest(hn::MulAdd(sample, step[axis], start[axis]));
             Mask occupied;
             const auto active = sample < count;
-            sample = sample + leaps.leap(place, occupied);
+            sample = sample + leaps.leap(place, blend, occupied);
             if (hn::AllFalse(kFloats, hn::And(active, occupied))) continue;
         }
-        for (int i = 0; i < kRun; ++i, sample = sample + one) {
-            const Place at =
-                grid.place(hn::MulAdd(sample, step[0], start[0]), hn::MulAdd(sample, step[1], start[1]),
-                           hn::MulAdd(sample, step[2], start[2]));
-            blend.add(Fragments<Sampler, Shade>(sampler, shade, at), sample < count);
+        // All samples of a run before all of their fragments: the more reads are under way at a time.
+        Place at[kRun];
+        Floats raw[kRun];
+        for (int i = 0; i < kRun; ++i) {
+            const Floats number = sample + hn::Set(kFloats, static_cast<float>(i));
+            at[i] = grid.place(hn::MulAdd(number, step[0], start[0]), hn::MulAdd(number, step[1], start[1]),
+                               hn::MulAdd(number, step[2], start[2]));
+            raw[i] = sampler.value(at[i], Sampler::kChannels - 1);
         }
+        for (int i = 0; i < kRun; ++i, sample = sample + one)
+            blend.add(Fragments<Sampler, Shade>(sampler, shade, at[i], raw[i]), sample < count);
         count = blend.left(count);
     }
     return blend.result();
@@ -451,13 +509,15 @@ void walkTile(const RayJob& job, const PixelRectangle& tile)
 template <class Sampler>
 void walkSamples(const RayJob& job, const PixelRectangle& tile)
 {
-    const bool over = job.blending == CastBlending::over;
-    if (job.shading->table)
-        over ? walkTile<Sampler, TableShade, Over>(job, tile)
-             : walkTile<Sampler, TableShade, Others>(job, tile);
-    else
-        over ? walkTile<Sampler, LinearShade, Over>(job, tile)
-             : walkTile<Sampler, LinearShade, Others>(job, tile);
+    const ShadingPlan& shading = *job.shading;
+    if (job.blending != CastBlending::over) {
+        if (shading.table) return walkTile<Sampler, TableShade, Others>(job, tile);
+        if (job.extremeOfRaw) return walkTile<Sampler, LinearShade, Extreme>(job, tile);
+        return walkTile<Sampler, LinearShade, Others>(job, tile);
+    }
+    if (!shading.packed[0].empty()) return walkTile<Sampler, PackedShade, Over>(job, tile);
+    if (shading.table) return walkTile<Sampler, TableShade, Over>(job, tile);
+    return walkTile<Sampler, LinearShade, Over>(job, tile);
 }
 
 void walkRaysOfTarget(const RayJob& job, const PixelRectangle& tile)

@@ -27,7 +27,9 @@ struct RayJob
 
     glm::ivec3 blockCount{0};
     const std::uint8_t* blockDistance = nullptr; ///< EmptyBlocks; nullptr: every sample is taken
-    const float* blockRanges = nullptr;          ///< for max of one rising channel: VoxelGrid::blockRanges
+    /// For max and min: no component of a fragment falls as the one channel rises.
+    bool extremeOfRaw = false;
+    const float* blockRanges = nullptr; ///< then: VoxelGrid::blockRanges, or nullptr
     CastPicture* picture = nullptr;
 };
 

@@ -200,6 +200,8 @@ int main(int argc, char** argv)
     run(options, "dense", dense1, 256, &thin, over);
     run(options, "dense, perspective", dense1, 256, &thin, over, true);
     run(options, "dense, colours", dense1, 256, &thinColor, over);
+    const Volume tiny(64, [](int x, int y, int z) { return 40 + (x * 7 + y * 13 + z * 29) % 200; });
+    run(options, "tiny", Bricks(tiny, 1), 64, &thin, over);
     run(options, "dense, 64 bricks", dense4, 256, &thin, over);
     run(options, "opaque", sparse1, 256, &hard, over);
     run(options, "mip of sparse", sparse1, 256, nullptr, max);
