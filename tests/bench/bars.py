@@ -90,7 +90,7 @@ def dense_slices_bars(rows, name):
 
 
 def sparse_slices_bars(rows, name):
-    yield Bar(f"{name}: slices' wall time by that of VTK fixed point", ratio(rows["slices"], rows["fixed"]), 1.0)
+    yield Bar(f"{name}: wall time by that of VTK fixed point", ratio(rows["slices"], rows["fixed"]), 1.0)
 
 
 def slices_brick_bars(rows, name):
@@ -143,8 +143,8 @@ BARS = [
     ("frame/mip", maximum_bars),
     ("frame/mip-dense", maximum_bars),
     ("frame/bone", bone_bars),
-    ("frame/sparse", sparse_slices_bars),
     ("slices/dense", dense_slices_bars),
+    ("slices/sparse", sparse_slices_bars),
     ("bricks/slices", slices_brick_bars),
     ("bricks/cast", cast_brick_bars),
     ("polygonize/5", polygonize_bars(None)),

@@ -37,8 +37,12 @@ int run(const std::vector<std::string>& arguments)
     };
     worker.picture = [&] { return frames.picture(); };
     worker.facts = [&] {
-        return bench::jsonPair("fragments", frames.countFragments([&] { frames.draw(0.0); })) + ", " +
-               bench::jsonPair("drawnBy", frames.renderer());
+        const std::string engine = frames.engine();
+        std::string facts =
+            bench::jsonPair("engine", engine) + ", " + bench::jsonPair("drawnBy", frames.renderer());
+        if (engine == "slices")
+            facts += ", " + bench::jsonPair("fragments", frames.countFragments([&] { frames.draw(0.0); }));
+        return facts;
     };
     return bench::serve(worker);
 }

@@ -58,6 +58,8 @@ def slices_jobs(folder):
             ours("slices", "Volumizer, slices", scene, folder, "per-slice", engine="slices"),
             Entry("bare", "bare quads", ["bare_frames", scene, folder], {"LP_NUM_THREADS": str(THREADS)}),
         ]
+        if scene == "sparse":
+            entries.append(vtk("fixed", scene, folder))
         yield Job("slices/" + scene, "256^3 in 512x512", entries, scene, "slices")
 
 

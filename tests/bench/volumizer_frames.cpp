@@ -93,6 +93,13 @@ std::vector<float> VolumizerFrames::picture()
     return context_->readFloats();
 }
 
+std::string VolumizerFrames::engine() const
+{
+    const bool cast = voState::getFramesDrawn(voEngineScope::CAST) > 0;
+    const bool slices = voState::getFramesDrawn(voEngineScope::SLICES) > 0;
+    return cast && slices ? "both" : cast ? "cast" : "slices";
+}
+
 double VolumizerFrames::countFragments(const std::function<void()>& drawing)
 {
     GLuint query = 0, fragments = 0;

@@ -38,6 +38,9 @@ public:
     /// Fragments that `drawing` makes.
     double countFragments(const std::function<void()>& drawing);
 
+    /// Who drew all frames so far: "cast", "slices" or "both".
+    std::string engine() const;
+
     const GladGLContext& gl() const { return context_->gl(); }
     std::string renderer() const { return context_->description(); }
 
