@@ -55,9 +55,9 @@ int serve(const Worker& worker)
     worker.work(number++);
     std::cout << "ready" << std::endl;
     for (std::string line; std::getline(std::cin, line);) {
-        std::istringstream words(line);
-        std::string command, argument;
-        words >> command >> argument;
+        const std::size_t space = line.find(' ');
+        const std::string command = line.substr(0, space);
+        const std::string argument = space == std::string::npos ? "" : line.substr(space + 1);
         if (command == "quit") break;
         if (command == "work") {
             std::ostringstream answer;

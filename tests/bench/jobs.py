@@ -121,8 +121,8 @@ def start_jobs(folder, pictures, programs):
 
     view = ["-lutFile", table, "-view", "-20", "30"]
     entries = [
-        timed("vorender", "vorender", os.path.join(programs, "bin", "vorender"), header, *view, "-output", "PICTURE",
-              VO_THREADS=str(THREADS)),
+        timed("vorender", "vorender", os.path.join(programs, "bin", "vorender"), "-raw", "256", "256", "256", "uchar",
+              raw, *view, "-output", "PICTURE", VO_THREADS=str(THREADS)),
         timed("voglBasic", "voglBasic", os.path.join(programs, "bin", "voglBasic"), header, *view,
               "-output", "PICTURE", VO_THREADS=str(THREADS), LP_NUM_THREADS=str(THREADS)),
         timed("vtk", "VTK C++, fixed point", os.path.join(programs, "tests", "bench", "vtk_picture"), "sparse", "fixed",
