@@ -101,7 +101,7 @@ class Bars(unittest.TestCase):
 
 OBEDIENT = """#!/usr/bin/env python3
 import sys
-print("ready", flush=True)
+print("ready 0.1", flush=True)
 for line in sys.stdin:
     word = line.split()[0]
     if word == "work":

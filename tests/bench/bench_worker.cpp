@@ -52,8 +52,9 @@ void writePicture(const Worker& worker, const std::string& path)
 int serve(const Worker& worker)
 {
     int number = 0;
+    const double begin = clocks().wall;
     worker.work(number++);
-    std::cout << "ready" << std::endl;
+    std::cout << "ready " << clocks().wall - begin << std::endl;
     for (std::string line; std::getline(std::cin, line);) {
         const std::size_t space = line.find(' ');
         const std::string command = line.substr(0, space);

@@ -27,9 +27,10 @@ struct Clocks
 };
 Clocks clocks();
 
-/// Works once, writes "ready", then obeys: "work N" works N times and answers with the
-/// seconds of a plain loop, then wall and CPU seconds of each time; "picture PATH" writes the picture's
-/// floats; "facts" answers with a JSON object; "quit" or the end of input ends it. Returns the exit status.
+/// Works once, writes "ready" and the wall seconds that it took, then obeys: "work N" works N times and
+/// answers with the seconds of a plain loop, then wall and CPU seconds of each time; "picture PATH" writes
+/// the picture's floats; "facts" answers with a JSON object; "quit" or the end of input ends it. Returns the
+/// exit status.
 int serve(const Worker& worker);
 
 /// Runs `main`, which gets the arguments after the program's name; an exception becomes one line and

@@ -92,21 +92,24 @@ def thread_jobs(folder):
 
 
 def polygonize_jobs():
-    def own(role, who, cells, bricks, form, threads=1):
-        return Entry(role, who, ["volumizer_slices", cells, "512", bricks, form], {"VO_THREADS": str(threads)}, False)
+    def own(role, who, bricks, form, threads=1):
+        return Entry(role, who, ["volumizer_slices", cells, planes, bricks, form], {"VO_THREADS": str(threads)}, False)
 
-    for tetras, cells in (("5", "1"), ("46k", "21"), ("1.03M", "59")):
+    def peer(role, who):
+        return Entry(role, who, ["vtk_slices", cells, planes, role], picture=False)
+
+    for tetras, cells, planes in (("5", "1", "512"), ("46k", "21", "512"), ("1.03M", "59", "256")):
         entries = [
-            own("stack", "Volumizer, 2 threads", cells, "1", "stack", THREADS),
-            own("stack-one", "Volumizer, 1 thread", cells, "1", "stack"),
-            own("stack-bricks", "Volumizer, 64 bricks, 2 threads", cells, "4", "stack", THREADS),
-            own("face-sets", "Volumizer, face by face", cells, "1", "faces"),
-            Entry("plane-cutter", "vtkPlaneCutter", ["vtk_slices", cells, "512", "plane-cutter"], picture=False),
-            Entry("contour", "vtkContour3DLinearGrid", ["vtk_slices", cells, "512", "contour"], picture=False),
+            own("stack", "Volumizer, 2 threads", "1", "stack", THREADS),
+            own("stack-one", "Volumizer, 1 thread", "1", "stack"),
+            own("stack-bricks", "Volumizer, 64 bricks, 2 threads", "4", "stack", THREADS),
+            own("face-sets", "Volumizer, face by face", "1", "faces"),
+            peer("plane-cutter", "vtkPlaneCutter"),
+            peer("contour", "vtkContour3DLinearGrid"),
         ]
         if tetras != "1.03M":
-            entries.append(Entry("cutter", "vtkCutter", ["vtk_slices", cells, "512", "cutter"], picture=False))
-        yield Job("polygonize/" + tetras, tetras + " tetrahedra, 512 planes", entries, None, "stack")
+            entries.append(peer("cutter", "vtkCutter"))
+        yield Job("polygonize/" + tetras, f"{tetras} tetrahedra, {planes} planes", entries, None, "stack")
 
 
 def start_jobs(folder, pictures, programs):
