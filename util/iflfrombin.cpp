@@ -1,7 +1,5 @@
 // iflfrombin hdrlen xsize ysize csize bpp infile outimage: a raw image becomes a TIFF file (guide, page 147).
 
-#include <map>
-
 #include "copy_slices.h"
 #include "utility.h"
 
@@ -38,18 +36,6 @@ struct Request
     std::string input, output;
 };
 
-vo::Result<vo::ChannelType> parsedType(const std::string& name)
-{
-    static const std::map<std::string, vo::ChannelType> types{
-        {"char", vo::ChannelType::int8},     {"uchar", vo::ChannelType::uint8},
-        {"ubyte", vo::ChannelType::uint8},   {"short", vo::ChannelType::int16},
-        {"ushort", vo::ChannelType::uint16}, {"float", vo::ChannelType::float32},
-    };
-    const auto found = types.find(name);
-    if (found != types.end()) return found->second;
-    return vo::Failure{"bpp: expected char, uchar, ubyte, short, ushort or float, found \"" + name + "\""};
-}
-
 vo::Result<Request> parsedRequest(std::vector<std::string> words)
 {
     Request request;
@@ -74,7 +60,7 @@ vo::Result<Request> parsedRequest(std::vector<std::string> words)
     if (!height) return height.failure();
     const auto channels = vo::parsedWhole("csize", words[3], 1, 4);
     if (!channels) return channels.failure();
-    const auto type = parsedType(words[4]);
+    const auto type = vo::rawChannelType("bpp", words[4]);
     if (!type) return type.failure();
     request.layout.headerLength = *header;
     request.layout.info = {{*width, *height, 1}, static_cast<int>(*channels), *type};

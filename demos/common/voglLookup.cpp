@@ -1,6 +1,8 @@
 #include "voglLookup.h"
 #include "voglMain.h"
 
+#include "volume_view/defaults.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -23,21 +25,6 @@ bool hasOneChannel(voBrickSet* brickSet)
 }
 
 } // namespace
-
-/// The file's entries in as many components as the table has.
-std::vector<float> VoglLookup::fileEntries() const
-{
-    std::vector<float> result;
-    for (int i = 0; i < kEntries; ++i) {
-        const float* rgba = &file_->rgba[std::size_t(4 * i)];
-        if (components_ == 4) {
-            result.insert(result.end(), rgba, rgba + 4);
-        } else {
-            result.insert(result.end(), {0.30f * rgba[0] + 0.59f * rgba[1] + 0.11f * rgba[2], rgba[3]});
-        }
-    }
-    return result;
-}
 
 /// The ramp's present entries, in the storage that the table reads.
 void VoglLookup::loadRamp()
@@ -64,7 +51,7 @@ void VoglLookup::read(const char* program, const std::string& fileName, std::opt
 voRenderingMode VoglLookup::renderingMode() const
 {
     const bool coloured = file_ ? file_->isColor : tint_[0] != tint_[1] || tint_[1] != tint_[2];
-    return options.color.value_or(coloured) ? voRenderingModeScope::COLOR : voRenderingModeScope::MONOCHROME;
+    return vo::inColor(options, coloured) ? voRenderingModeScope::COLOR : voRenderingModeScope::MONOCHROME;
 }
 
 void VoglLookup::make(voBrickSetCollection* aVolume, voRenderingMode renderingMode, double low, double high)
@@ -87,7 +74,7 @@ void VoglLookup::make(voBrickSetCollection* aVolume, voRenderingMode renderingMo
         table_ = new voLookupTablePost(internalFormat, kEntries, externalFormat, dataType, entries_.data());
     }
     if (file_) {
-        const auto values = fileEntries();
+        const auto values = vo::tableEntries(*file_, components_);
         std::copy(values.begin(), values.end(), entries_.begin());
         table_->load();
     } else {

@@ -50,7 +50,6 @@ public:
     void free();
 
 private:
-    std::vector<float> fileEntries() const;
     void loadRamp();
 
     std::optional<vo::LookupFile> file_;

@@ -4,6 +4,8 @@
 #include "voglMain.h"
 #include "voxel_range.h"
 
+#include "volume_view/defaults.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,12 +13,6 @@
 #include <cstdlib>
 
 namespace {
-
-// Sizes of bricks of which -bricks, the last ones partly empty, cover the volume.
-int brickSizeFor(int volumeSize, int bricks)
-{
-    return (volumeSize + (bricks - 1) * options.overlap + bricks - 1) / bricks;
-}
 
 // Bricks of no more voxels than they share would never get through the volume.
 void checkOverlap(const char* program, int brickSize)
@@ -26,14 +22,11 @@ void checkOverlap(const char* program, int brickSize)
                           std::to_string(brickSize) + "), found '" + std::to_string(options.overlap) + "'");
 }
 
-// Sampling planes are at most the diagonal of the scaled volume apart from each other; a view volume is a
-// little deeper.
 double countPlanes(const int volumeSize[3])
 {
-    double diagonal = 0;
-    for (int i = 0; i < 3; i++)
-        diagonal = std::hypot(diagonal, volumeSize[i] * double(modelScale[i]));
-    return std::ceil(1.02 * voglProgram.margin * diagonal / options.sampling) + 1;
+    return vo::samplingPlaneCount(options,
+                                  {double(volumeSize[0]), double(volumeSize[1]), double(volumeSize[2])},
+                                  {modelScale[0], modelScale[1], modelScale[2]}, voglProgram.margin);
 }
 
 // Bricks of the largest set: all of the volume, or with 2D textures the slices of one of three directions.
@@ -58,28 +51,11 @@ std::string whole(double count)
     return text;
 }
 
-// The options of these that the user gave, to begin a message with.
-std::string optionsGiven(bool withBricks)
-{
-    std::string names;
-    int count = 0;
-    const auto add = [&](bool given, const char* name) {
-        if (!given) return;
-        names += (count++ ? " and " : "") + std::string(name);
-    };
-    add(options.sampling != 1, "-sampling");
-    add(options.scale.has_value(), "-scale");
-    add(withBricks && options.bricks, "-bricks");
-    if (count == 0) return "volume: ";
-    return (count == 1 ? "option " : "options ") + names + ": ";
-}
-
 void checkPlanes(const char* program, double planes)
 {
-    const double mostPlanes = 65536;
-    if (planes > mostPlanes)
-        voglFail(program, optionsGiven(false) + "expected at most " + whole(mostPlanes) +
-                              " sampling planes, found " + whole(planes));
+    if (planes > vo::kMostSamplingPlanes)
+        voglFail(program, vo::planeOptionsGiven(options, false) + "expected at most " +
+                              whole(vo::kMostSamplingPlanes) + " sampling planes, found " + whole(planes));
 }
 
 // Refuses what would take minutes or all memory. Each brick gets a set of faces for each plane; what no
@@ -88,7 +64,7 @@ void checkWork(const char* program, const int volumeSize[3], const int brickSize
 {
     const double mostBricks = 4096;
     const double planes = countPlanes(volumeSize), bricks = countBricks(volumeSize, brickSize);
-    const std::string given = optionsGiven(true);
+    const std::string given = vo::planeOptionsGiven(options, true);
     const double mostFaceSets = given == "volume: " ? 1e7 : 2e6;
     checkPlanes(program, planes);
     if (options.bricks && bricks > mostBricks)
@@ -101,9 +77,8 @@ void checkWork(const char* program, const int volumeSize[3], const int brickSize
 
 void useSpacing(const VoglSource& source)
 {
-    const double finest = std::min({source.spacing[0], source.spacing[1], source.spacing[2]});
-    for (std::size_t i = 0; i < 3; i++)
-        modelScale[i] = float(options.scale ? (*options.scale)[i] : source.spacing[i] / finest);
+    const auto scale = vo::voxelScale(options, {source.spacing[0], source.spacing[1], source.spacing[2]});
+    std::copy(scale.begin(), scale.end(), modelScale);
 }
 
 // The bricks, without voxels; `internalFormat` and the others are chosen for this machine.
@@ -115,7 +90,9 @@ voBrickSetCollection* makeBricks(const char* program, const VoglSource& source, 
         options.textureDimensions == 2 ? voInterpolationTypeScope::_2D : voInterpolationTypeScope::_3D;
     int brickSize[3];
     for (std::size_t i = 0; i < 3; i++)
-        brickSize[i] = options.bricks ? brickSizeFor(source.size[i], (*options.bricks)[i]) : source.size[i];
+        brickSize[i] = options.bricks
+                           ? int(vo::brickSizeFor(source.size[i], (*options.bricks)[i], options.overlap))
+                           : source.size[i];
     voAppearanceActions::getBestParameters(interpolationType, renderingMode, source.dataType,
                                            source.diskFormat, internalFormat, externalFormat, brickSize[0],
                                            brickSize[1], brickSize[2]);
@@ -170,15 +147,13 @@ bool isByte(voDataType dataType)
     return dataType == voDataTypeScope::UNSIGNED_BYTE || dataType == voDataTypeScope::BYTE;
 }
 
-// The values of the file that become the ends of the table: what -dataRange says, else those that the file
-// has; all values of an 8-bit type, which its files seldom leave unused, and of volumes of several channels.
+// The values of the file that become the ends of the table.
 vo::ValueRange chooseDataRange(const vo::ValueRange& seen, const char* program, const VoglSource& source)
 {
     if (seen.low == seen.high)
         fprintf(stderr, "%s: %s: all voxels are %g; nothing to tell apart\n", program, source.name.c_str(),
                 seen.low);
-    if (options.dataRange) return {options.dataRange->low, options.dataRange->high};
-    return !isByte(source.dataType) && seen.low < seen.high ? seen : vo::fullRange(source.dataType);
+    return vo::dataRange(options, seen, vo::fullRange(source.dataType), isByte(source.dataType));
 }
 
 // All but voxels and the data range.

@@ -7,21 +7,11 @@
 namespace vo {
 namespace {
 
-void growByValue(ValueRange& range, double value)
-{
-    if (!std::isfinite(value)) return;
-    if (range.low > range.high) range = {value, value};
-    range.low = std::min(range.low, value);
-    range.high = std::max(range.high, value);
-}
-
 /// A row of `count` voxels that starts `first` voxels into the brick.
 template <typename Value>
 void growByRow(ValueRange& range, const void* voxels, std::size_t first, std::size_t count)
 {
-    const Value* row = static_cast<const Value*>(voxels) + first;
-    for (std::size_t i = 0; i < count; ++i)
-        growByValue(range, double(row[i]));
+    growRange(range, static_cast<const Value*>(voxels) + first, count);
 }
 
 using GrowByRow = void (*)(ValueRange&, const void*, std::size_t, std::size_t);

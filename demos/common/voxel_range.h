@@ -1,18 +1,13 @@
 #pragma once
 
+#include "volume_view/value_range.h"
+
 #include <vo/Appearance.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace vo {
-
-/// The smallest and the largest value of voxels; low > high while nothing was seen.
-struct ValueRange
-{
-    double low = 1;
-    double high = 0;
-};
 
 /// Widens the range by the voxels of a brick of one channel, those alone that lie inside the volume. Values
 /// that are no numbers are passed over.

@@ -8,28 +8,16 @@
 
 namespace {
 
-struct VoxelType
+voDataType dataTypeOf(vo::ChannelType type)
 {
-    const char* name;
-    vo::ChannelType inFile;
-    voDataType dataType;
-};
-
-const VoxelType voxelTypes[] = {
-    {"uchar", vo::ChannelType::uint8, voDataTypeScope::UNSIGNED_BYTE},
-    {"ubyte", vo::ChannelType::uint8, voDataTypeScope::UNSIGNED_BYTE},
-    {"char", vo::ChannelType::int8, voDataTypeScope::BYTE},
-    {"ushort", vo::ChannelType::uint16, voDataTypeScope::UNSIGNED_SHORT},
-    {"short", vo::ChannelType::int16, voDataTypeScope::SHORT},
-    {"float", vo::ChannelType::float32, voDataTypeScope::FLOAT},
-};
-
-VoxelType readType(const char* program, const char* word)
-{
-    for (const VoxelType& type : voxelTypes)
-        if (!strcmp(word, type.name)) return type;
-    voglFail(program,
-             std::string("expected uchar, ubyte, char, ushort, short or float, found '") + word + "'");
+    switch (type) {
+    case vo::ChannelType::uint8: return voDataTypeScope::UNSIGNED_BYTE;
+    case vo::ChannelType::int8: return voDataTypeScope::BYTE;
+    case vo::ChannelType::uint16: return voDataTypeScope::UNSIGNED_SHORT;
+    case vo::ChannelType::int16: return voDataTypeScope::SHORT;
+    case vo::ChannelType::float32: return voDataTypeScope::FLOAT;
+    }
+    return voDataTypeScope::DEFAULT;
 }
 
 int readNumber(const char* program, const char* what, const char* word, int least)
@@ -53,9 +41,10 @@ VoglSource openRawFiles(const char* program, std::span<char* const> arguments, b
     vo::RawLayout layout;
     for (std::size_t i = 0; i < 3; i++)
         layout.info.size[i] = source.size[i] = readNumber(program, axes[i], arguments[1 + i], 1);
-    const VoxelType type = readType(program, arguments[4]);
-    source.dataType = type.dataType;
-    layout.info.type = type.inFile;
+    const auto type = vo::rawChannelType("the type", arguments[4]);
+    if (!type) voglFail(program, type.failure().text);
+    source.dataType = dataTypeOf(*type);
+    layout.info.type = *type;
     layout.headerLength = headerLength;
     layout.byteOrder = bigEndian ? vo::ByteOrder::bigEndian : vo::ByteOrder::littleEndian;
 

@@ -44,6 +44,21 @@ TEST(Png, bottomFirstRowsArriveTopFirst)
     EXPECT_EQ(picture->bytes, (std::vector<std::uint8_t>{4, 5, 6, 1, 2, 3}));
 }
 
+TEST(Png, greyOfSixteenBitsKeepsEveryBit)
+{
+    ScratchFolder folder;
+    const std::vector<std::uint16_t> values{0, 1, 255, 256, 0x1234, 65535};
+    ASSERT_TRUE(writeGreyPng(folder / "d.png", 3, 2, values, RowOrder::bottomFirst));
+    auto volume = openVolume(folder / "d.png");
+    ASSERT_TRUE(volume) << volume.failure().text;
+    ASSERT_EQ(volume->info(), (VolumeInfo{{3, 2, 1}, 1, ChannelType::uint16}));
+    std::vector<std::uint16_t> found(6);
+    ASSERT_TRUE(volume->readBrick({{0, 0, 0}, {3, 2, 1}}, std::as_writable_bytes(std::span(found))));
+    EXPECT_EQ(found, (std::vector<std::uint16_t>{256, 0x1234, 65535, 0, 1, 255}));
+    EXPECT_FALSE(writeGreyPng(folder / "e.png", 3, 3, values));
+    EXPECT_EQ(folder.fileCount(), 1);
+}
+
 TEST(Png, wrongShapeFailsAndWritesNothing)
 {
     ScratchFolder folder;

@@ -8,6 +8,7 @@
 
 #include "deflate_stream.h"
 #include "input_file.h"
+#include "numbered_name.h"
 #include "printable_text.h"
 #include "text_voxels.h"
 
@@ -15,23 +16,6 @@ namespace vo {
 namespace {
 
 constexpr std::int64_t kMostFiles = 1 << 20;
-
-/// `pattern` with a number in place of its %d, %3d or %03d; nothing where there is no or another conversion.
-std::optional<std::string> numbered(const std::string& pattern, std::int64_t number)
-{
-    const auto percent = pattern.find('%');
-    if (percent == std::string::npos) return std::nullopt;
-    const auto letter = pattern.find_first_not_of("0123456789", percent + 1);
-    if (letter == std::string::npos || pattern[letter] != 'd' || letter - percent > 4 ||
-        pattern.find('%', letter) != std::string::npos)
-        return std::nullopt;
-    const std::string width = pattern.substr(percent + 1, letter - percent - 1);
-    const bool zeros = width.starts_with('0');
-    std::string digits = std::to_string(number);
-    const auto wanted = width.empty() ? 0 : static_cast<std::size_t>(std::atoi(width.c_str()));
-    if (digits.size() < wanted) digits.insert(0, wanted - digits.size(), zeros ? '0' : ' ');
-    return pattern.substr(0, percent) + digits + pattern.substr(letter + 1);
-}
 
 /// Where the voxels begin in a data file whose header ends at `offset`.
 Result<std::int64_t> afterSkippedLines(const InputFile& file, std::int64_t offset, unsigned lines)
@@ -122,7 +106,7 @@ Result<std::vector<std::string>> namedFiles(const std::string& path, const std::
     std::istringstream words(value);
     std::string pattern;
     std::int64_t first = 0, last = 0, step = 0;
-    if (!(words >> pattern >> first >> last >> step) || !numbered(pattern, 0))
+    if (!(words >> pattern >> first >> last >> step) || !numberedName(pattern, 0))
         return std::vector<std::string>{value};
     constexpr std::int64_t kLargest = 1'000'000'000;
     const bool ends = step != 0 && first >= 0 && last >= 0 && first <= kLargest && last <= kLargest &&
@@ -132,7 +116,7 @@ Result<std::vector<std::string>> namedFiles(const std::string& path, const std::
                        " data files, found \"" + printable(value) + "\""};
     std::vector<std::string> files;
     for (std::int64_t number = first; step > 0 ? number <= last : number >= last; number += step)
-        files.push_back(*numbered(pattern, number));
+        files.push_back(*numberedName(pattern, number));
     return files;
 }
 

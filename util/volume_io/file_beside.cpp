@@ -1,7 +1,10 @@
 #include "file_beside.h"
 
+#include "volume_io.h"
+
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -70,6 +73,19 @@ Result<void> FileBeside::commit()
     if (error) return Failure{path_ + ": cannot give the finished file its name: " + error.message()};
     temporary_.clear();
     return {};
+}
+
+Result<void> writeBytes(const std::string& path, std::span<const std::byte> bytes)
+{
+    auto beside = FileBeside::create(path);
+    if (!beside) return beside.failure();
+    std::FILE* file = std::fopen(beside->temporaryPath().c_str(), "wb");
+    if (!file) return Failure{path + ": cannot write: " + std::strerror(errno)};
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    const int error = errno;
+    if (std::fclose(file) != 0 || !written)
+        return Failure{path + ": cannot write: " + std::strerror(written ? errno : error)};
+    return beside->commit();
 }
 
 } // namespace vo

@@ -1,9 +1,14 @@
 #include "volume_io.h"
 
+#include <array>
+#include <bit>
 #include <cerrno>
+#include <csetjmp>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <png.h>
+#include <zlib.h>
 
 #include "file_beside.h"
 
@@ -29,19 +34,103 @@ struct PngImage
     png_image image;
 };
 
-Result<void> checkPicture(const std::string& path, int width, int height, int channels, std::size_t bytes)
+/// What a picture to be written is made of.
+struct PictureShape
 {
-    const auto shape = std::to_string(width) + " x " + std::to_string(height) + " with " +
-                       std::to_string(channels) + " channels";
-    // libpng's simplified interface takes the length of a row as a signed 32-bit number.
-    if (width < 1 || height < 1 || (channels != 3 && channels != 4) || width > 0x7fffffff / channels)
+    int width = 0;
+    int height = 0;
+    int channels = 3; // 3 (RGB) or 4 (RGBA); of 2 bytes each: 1 (grey)
+    int bytesPerChannel = 1;
+
+    std::ptrdiff_t rowBytes() const { return std::ptrdiff_t(width) * channels * bytesPerChannel; }
+};
+
+Result<void> checkPicture(const std::string& path, const PictureShape& shape, std::size_t bytes)
+{
+    const auto text = std::to_string(shape.width) + " x " + std::to_string(shape.height) + " with " +
+                      std::to_string(shape.channels) + " channels";
+    const bool known =
+        shape.bytesPerChannel == 2 ? shape.channels == 1 : shape.channels == 3 || shape.channels == 4;
+    if (shape.width < 1 || shape.height < 1 || !known || shape.width > 0x7fffffff / 8)
         return Failure{path + ": expected a picture of at least 1 x 1 pixel with 3 or 4 channels, found " +
-                       shape};
-    const std::uint64_t expected = std::uint64_t(width) * std::uint64_t(height) * std::uint64_t(channels);
+                       text};
+    const std::uint64_t expected = std::uint64_t(shape.rowBytes()) * std::uint64_t(shape.height);
     if (bytes != expected)
-        return Failure{path + ": expected " + std::to_string(expected) + " bytes for a picture of " + shape +
+        return Failure{path + ": expected " + std::to_string(expected) + " bytes for a picture of " + text +
                        ", found " + std::to_string(bytes)};
     return {};
+}
+
+/// Where libpng goes when it cannot go on, and why.
+struct Escape
+{
+    std::jmp_buf place;
+    std::array<char, 120> reason;
+};
+
+[[noreturn]] void escape(png_structp png, png_const_charp reason)
+{
+    auto& way = *static_cast<Escape*>(png_get_error_ptr(png));
+    std::snprintf(way.reason.data(), way.reason.size(), "%s", reason);
+    std::longjmp(way.place, 1);
+}
+
+void ignoreWarning(png_structp, png_const_charp) {}
+
+/// Differences to the row above, runs of equal ones joined: a fifth of the time of libpng's own choice, and
+/// for rendered pictures nearly its size.
+void compressFast(png_structp png)
+{
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, 1);
+    png_set_compression_strategy(png, Z_RLE);
+}
+
+/// Nothing in here has a destructor, since libpng leaves it by a jump.
+bool writeRows(std::FILE* file, const PictureShape& shape, const std::uint8_t* topRow, std::ptrdiff_t step,
+               Escape& way)
+{
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &way, escape, ignoreWarning);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    way.reason = {"out of memory"};
+    if (!info || setjmp(way.place) != 0) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, file);
+    png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+    const int color = shape.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                      : shape.channels == 3 ? PNG_COLOR_TYPE_RGB
+                                            : PNG_COLOR_TYPE_RGB_ALPHA;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(shape.width), static_cast<png_uint_32>(shape.height),
+                 8 * shape.bytesPerChannel, color, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (shape.bytesPerChannel == 1) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    compressFast(png);
+    png_write_info(png, info);
+    if (shape.bytesPerChannel == 2 && std::endian::native == std::endian::little) png_set_swap(png);
+    for (int row = 0; row < shape.height; ++row)
+        png_write_row(png, topRow + row * step);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return true;
+}
+
+Result<void> writePicture(const std::string& path, const PictureShape& shape, const std::uint8_t* bytes,
+                          RowOrder order)
+{
+    auto beside = FileBeside::create(path);
+    if (!beside) return beside.failure();
+    std::FILE* file = std::fopen(beside->temporaryPath().c_str(), "wb");
+    if (!file) return Failure{path + ": cannot write: " + std::strerror(errno)};
+    const bool topFirst = order == RowOrder::topFirst;
+    const std::uint8_t* top = topFirst ? bytes : bytes + (shape.height - 1) * shape.rowBytes();
+    Escape way{};
+    const bool written = writeRows(file, shape, top, topFirst ? shape.rowBytes() : -shape.rowBytes(), way);
+    const bool closed = std::fclose(file) == 0;
+    if (!written) return Failure{path + ": cannot write the picture: " + way.reason.data()};
+    if (!closed) return Failure{path + ": cannot write the picture: " + std::strerror(errno)};
+    return beside->commit();
 }
 
 } // namespace
@@ -49,20 +138,18 @@ Result<void> checkPicture(const std::string& path, int width, int height, int ch
 Result<void> writePng(const std::string& path, int width, int height, int channels,
                       std::span<const std::uint8_t> bytes, RowOrder order)
 {
-    if (auto checked = checkPicture(path, width, height, channels, bytes.size()); !checked) return checked;
-    auto file = FileBeside::create(path);
-    if (!file) return file.failure();
+    const PictureShape shape{width, height, channels, 1};
+    if (auto checked = checkPicture(path, shape, bytes.size()); !checked) return checked;
+    return writePicture(path, shape, bytes.data(), order);
+}
 
-    PngImage png;
-    png.image.width = static_cast<png_uint_32>(width);
-    png.image.height = static_cast<png_uint_32>(height);
-    png.image.format = channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    // A negative row length tells libpng that the first row in memory is the bottom one.
-    const png_int_32 rowLength = order == RowOrder::topFirst ? width * channels : -width * channels;
-    if (!png_image_write_to_file(&png.image, file->temporaryPath().c_str(), 0, bytes.data(), rowLength,
-                                 nullptr))
-        return Failure{path + ": cannot write the picture: " + png.image.message};
-    return file->commit();
+Result<void> writeGreyPng(const std::string& path, int width, int height,
+                          std::span<const std::uint16_t> values, RowOrder order)
+{
+    const PictureShape shape{width, height, 1, 2};
+    const auto bytes = std::as_bytes(values);
+    if (auto checked = checkPicture(path, shape, bytes.size()); !checked) return checked;
+    return writePicture(path, shape, reinterpret_cast<const std::uint8_t*>(bytes.data()), order);
 }
 
 Result<Picture> readPng(const std::string& path)

@@ -56,6 +56,16 @@ Result<VolumeFile> openPieces(const std::vector<std::string>& paths, const RawLa
 
 } // namespace
 
+Result<ChannelType> rawChannelType(const std::string& what, const std::string& name)
+{
+    constexpr std::pair<const char*, ChannelType> types[] = {
+        {"char", ChannelType::int8},   {"uchar", ChannelType::uint8},   {"ubyte", ChannelType::uint8},
+        {"short", ChannelType::int16}, {"ushort", ChannelType::uint16}, {"float", ChannelType::float32}};
+    for (const auto& [word, type] : types)
+        if (name == word) return type;
+    return Failure{what + ": expected char, uchar, ubyte, short, ushort or float, found \"" + name + "\""};
+}
+
 Result<VolumeFile> openRawVolume(const std::string& path, const RawLayout& layout)
 {
     const auto bytes = checkedBytes(path, layout);

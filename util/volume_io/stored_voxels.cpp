@@ -16,16 +16,17 @@ namespace {
 class MemoryBytes final : public StoredBytes
 {
 public:
-    explicit MemoryBytes(MemoryBlock block) : block_(std::move(block)) {}
+    explicit MemoryBytes(std::shared_ptr<const MemoryBlock> block) : block_(std::move(block)) {}
 
     Result<void> read(std::int64_t offset, std::span<std::byte> out) override
     {
-        std::memcpy(out.data(), block_.bytes().data() + offset, out.size());
+        std::memcpy(out.data(), block_->bytes().data() + offset, out.size());
         return {};
     }
+    std::unique_ptr<StoredBytes> another() const override { return std::make_unique<MemoryBytes>(block_); }
 
 private:
-    MemoryBlock block_;
+    std::shared_ptr<const MemoryBlock> block_;
 };
 
 class FileBytes final : public StoredBytes
@@ -54,6 +55,10 @@ public:
             offset += count;
         }
         return {};
+    }
+    std::unique_ptr<StoredBytes> another() const override
+    {
+        return std::make_unique<FileBytes>(pieces_, bytesPerPiece_);
     }
 
 private:
@@ -130,6 +135,10 @@ public:
     StoredReader(const StoredLayout& layout, const Placement& placement, std::unique_ptr<StoredBytes> bytes,
                  VolumeDescription description);
     Result<void> read(const Region& inside, const BrickView& brick) override;
+    std::unique_ptr<VolumeReader> another() const override
+    {
+        return std::make_unique<StoredReader>(layout_, placement_, bytes_->another(), description_);
+    }
 
 private:
     Result<void> readVoxels(std::array<std::int64_t, 3> first, std::int64_t count, std::byte* voxels,
@@ -329,7 +338,7 @@ Result<std::int64_t> storedBytes(const std::string& path, const StoredLayout& la
 
 std::unique_ptr<StoredBytes> bytesInMemory(MemoryBlock block)
 {
-    return std::make_unique<MemoryBytes>(std::move(block));
+    return std::make_unique<MemoryBytes>(std::make_shared<const MemoryBlock>(std::move(block)));
 }
 
 Result<std::unique_ptr<StoredBytes>> bytesInFiles(std::vector<FilePiece> pieces, std::int64_t bytesPerPiece)

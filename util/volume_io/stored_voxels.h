@@ -43,6 +43,8 @@ public:
     virtual ~StoredBytes() = default;
     /// Fills `out` from byte `offset` of the voxels on.
     virtual Result<void> read(std::int64_t offset, std::span<std::byte> out) = 0;
+    /// The same bytes for another thread.
+    virtual std::unique_ptr<StoredBytes> another() const = 0;
 };
 
 std::unique_ptr<StoredBytes> bytesInMemory(MemoryBlock block);

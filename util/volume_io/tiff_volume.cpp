@@ -114,6 +114,7 @@ public:
     /// Reads every directory and checks that the voxels that it promises are in the file.
     Result<void> open();
     Result<void> read(const Region& inside, const BrickView& brick) override;
+    std::unique_ptr<VolumeReader> another() const override;
 
 private:
     const std::string& path() const { return tiff_.file().path(); }
@@ -425,6 +426,22 @@ Result<DecodedBlocks::Bytes> TiffReader::decoded(const Slab& part, std::int64_t 
     counters_.rows += rows;
     counters_.bytes += source.bytes;
     return bytes;
+}
+
+std::unique_ptr<VolumeReader> TiffReader::another() const
+{
+    // The strips of SGI's 3D TIFF are those of the directory that libtiff has loaded.
+    if (pages_.size() < 2) return nullptr;
+    auto file = InputFile::open(path());
+    if (!file || file->size() != tiff_.file().size()) return nullptr;
+    auto tiff = TiffHandle::read(std::move(*file));
+    if (!tiff) return nullptr;
+    auto reader = std::make_unique<TiffReader>(std::move(*tiff));
+    reader->info_ = info_;
+    reader->description_ = description_;
+    reader->pages_ = pages_;
+    reader->loadedPage_ = -1;
+    return reader;
 }
 
 } // namespace

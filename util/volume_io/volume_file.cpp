@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <string_view>
+#include <system_error>
+#include <thread>
 
 #include "deflate_stream.h"
 #include "input_file.h"
@@ -124,6 +127,50 @@ Result<FileStart> startOf(const InputFile& file)
     return start;
 }
 
+/// Slices of `inside`, of `bytes` bytes, for one thread each.
+std::vector<Region> slabsOf(const Region& inside, std::int64_t bytes)
+{
+    constexpr std::int64_t kWorthAThread = 1 << 20;
+    constexpr std::int64_t kMostThreads = 16;
+    const std::int64_t threads =
+        std::clamp<std::int64_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+    const std::int64_t count =
+        std::clamp<std::int64_t>(std::min(threads, bytes / kWorthAThread), 1, inside.size[2]);
+    std::vector<Region> slabs;
+    for (std::int64_t i = 0; i < count; ++i) {
+        Region slab = inside;
+        const std::int64_t from = inside.size[2] * i / count, to = inside.size[2] * (i + 1) / count;
+        slab.origin[2] += from;
+        slab.size[2] = to - from;
+        slabs.push_back(slab);
+    }
+    return slabs;
+}
+
+/// Reads the first slab here and the others in threads; the failure is that of the first slab that has one.
+Result<void> readSlabs(VolumeReader& reader, const std::vector<std::unique_ptr<VolumeReader>>& others,
+                       const std::vector<Region>& slabs, const BrickView& brick)
+{
+    std::vector<std::future<Result<void>>> pending;
+    for (std::size_t i = 1; i < slabs.size(); ++i) {
+        const auto read = [&, i] { return others[i - 1]->read(slabs[i], brick); };
+        try {
+            pending.push_back(std::async(std::launch::async, read));
+        } catch (const std::system_error&) { // no more threads
+            pending.push_back(std::async(std::launch::deferred, read));
+        }
+    }
+    Result<void> result = reader.read(slabs[0], brick);
+    for (auto& slab : pending)
+        if (auto read = slab.get(); result && !read) result = read;
+    return result;
+}
+
+ReadCounters sum(const ReadCounters& a, const ReadCounters& b)
+{
+    return {a.slices + b.slices, a.rows + b.rows, a.bytes + b.bytes};
+}
+
 } // namespace
 
 int bytesPerChannel(ChannelType type)
@@ -185,7 +232,7 @@ const VolumeDescription& VolumeFile::description() const
 
 const ReadCounters& VolumeFile::counters() const
 {
-    return reader_->counters();
+    return counters_;
 }
 
 Result<void> VolumeFile::readBrick(const Region& region, std::span<std::byte> out)
@@ -200,7 +247,21 @@ Result<void> VolumeFile::readBrick(const Region& region, std::span<std::byte> ou
     const Region inside = clipped(region, info().size);
     if (inside.size != region.size) std::fill(out.begin(), out.end(), std::byte{0});
     if (std::ranges::find(inside.size, 0) != inside.size.end()) return {};
-    return reader_->read(inside, BrickView(region, bytesPerVoxel, out));
+    const BrickView brick(region, bytesPerVoxel, out);
+    auto slabs = slabsOf(inside, *bytes);
+    while (others_.size() + 1 < slabs.size()) {
+        auto other = reader_->another();
+        if (!other) {
+            slabs = {inside};
+            break;
+        }
+        others_.push_back(std::move(other));
+    }
+    const auto read = readSlabs(*reader_, others_, slabs, brick);
+    counters_ = reader_->counters();
+    for (const auto& other : others_)
+        counters_ = sum(counters_, other->counters());
+    return read;
 }
 
 Result<VolumeFile> openVolume(const std::string& path)

@@ -110,13 +110,15 @@ public:
     /// Reads the voxels of `region` into `out`, x fastest, zero outside the volume. `out` has exactly
     /// size x * size y * size z * bytesPerVoxel() bytes. Slices and rows that the region does not need are
     /// not touched (whole strips or tiles where the file is compressed). After a failure `out` holds no
-    /// useful values.
+    /// useful values. Large regions are read in several threads.
     Result<void> readBrick(const Region& region, std::span<std::byte> out);
 
     const ReadCounters& counters() const;
 
 private:
     std::unique_ptr<VolumeReader> reader_;
+    std::vector<std::unique_ptr<VolumeReader>> others_; // of other threads
+    ReadCounters counters_;
 };
 
 /// Opens a volume: a file of one of these formats, known by its content, or a folder with a DICOM series.
@@ -146,6 +148,10 @@ struct RawLayout
     std::int64_t headerLength = 0;
     ByteOrder byteOrder = nativeByteOrder();
 };
+
+/// The type that the command lines of programs for raw files call char, uchar or ubyte, short, ushort or
+/// float; a failure for any other name, in which `what` names the argument.
+Result<ChannelType> rawChannelType(const std::string& what, const std::string& name);
 
 /// Opens a volume that lies in one file, slice after slice. The file may be longer than the volume, not
 /// shorter.
@@ -194,6 +200,9 @@ private:
 Result<void> writeTiffStack(const std::string& path, const VolumeInfo& info,
                             std::span<const std::byte> voxels, const TiffOptions& options = {});
 
+/// Writes a file of these bytes, beside and then renamed.
+Result<void> writeBytes(const std::string& path, std::span<const std::byte> bytes);
+
 /// Whether the first row of a picture in memory is its top or, as OpenGL delivers it, its bottom.
 enum class RowOrder { topFirst, bottomFirst };
 
@@ -210,6 +219,11 @@ struct Picture
 /// in Picture), the first row as `order` says. The bytes are stored as they are, marked as sRGB.
 Result<void> writePng(const std::string& path, int width, int height, int channels,
                       std::span<const std::uint8_t> bytes, RowOrder order = RowOrder::topFirst);
+
+/// Writes one value of 16 bits a pixel as a grey PNG, in the same way; the values are stored as they are,
+/// without a claim to be sRGB.
+Result<void> writeGreyPng(const std::string& path, int width, int height,
+                          std::span<const std::uint16_t> values, RowOrder order = RowOrder::topFirst);
 
 /// Reads a PNG; grey, palette and 16-bit pictures arrive as 8-bit RGB or RGBA.
 Result<Picture> readPng(const std::string& path);

@@ -37,6 +37,10 @@ public:
     /// empty.
     virtual Result<void> read(const Region& inside, const BrickView& brick) = 0;
 
+    /// A reader of the same voxels for another thread, with counters of its own; null where making one costs
+    /// as much as reading.
+    virtual std::unique_ptr<VolumeReader> another() const { return nullptr; }
+
     const VolumeInfo& info() const { return info_; }
     const VolumeDescription& description() const { return description_; }
     const ReadCounters& counters() const { return counters_; }

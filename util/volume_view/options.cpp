@@ -316,17 +316,36 @@ bool takes(OptionSet set, const Option& option)
     return set == OptionSet::All || option.least == OptionSet::Simple;
 }
 
-/// The options of a program, its own before the last two, which every program ends its list with.
+Option ownOption(const OwnOption& own, Home home)
+{
+    return {own.name, own.arguments,
+            home,     OptionSet::Simple,
+            own.help, [read = own.read](Options&, Arguments& arguments) { read(arguments); }};
+}
+
+/// The options of a program: its own in place of those of the same name, the others before the last two,
+/// which every program ends its list with.
 std::vector<Option> optionsOf(OptionSet set, std::span<const OwnOption> own)
 {
     std::vector<Option> table;
+    const auto named = [&](const std::string& name) {
+        return std::ranges::find_if(own, [&](const OwnOption& o) { return o.name == name; });
+    };
+    const auto isShared = [](const OwnOption& o) {
+        return std::ranges::any_of(optionTable(),
+                                   [&](const Option& option) { return std::string(option.name) == o.name; });
+    };
     for (const Option& option : optionTable()) {
         if (std::string(option.name) == "help") {
             for (const OwnOption& o : own)
-                table.push_back({o.name, o.arguments, Home::Ours, OptionSet::Simple, o.help,
-                                 [read = o.read](Options&, Arguments& arguments) { read(arguments); }});
+                if (!isShared(o)) table.push_back(ownOption(o, Home::Ours));
         }
-        if (takes(set, option)) table.push_back(option);
+        const auto instead = named(option.name);
+        if (instead != own.end()) {
+            table.push_back(ownOption(*instead, option.home));
+        } else if (takes(set, option)) {
+            table.push_back(option);
+        }
     }
     return table;
 }
@@ -400,6 +419,7 @@ std::string optionsHelp(OptionSet set, std::span<const OwnOption> own)
     constexpr std::size_t kColumn = 28;
     std::string text;
     for (const Option& option : optionsOf(set, own)) {
+        if (!option.help) continue;
         std::string line = std::string("  -") + option.name + " " + argumentNames(option);
         line.resize(std::max(line.size() + 1, kColumn), ' ');
         for (const char* at = option.help; *at; ++at)

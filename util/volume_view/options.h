@@ -96,13 +96,14 @@ private:
     std::optional<Failure> failure_;
 };
 
-/// An option that one program alone takes.
+/// An option that one program alone takes, or takes in its own way: then it has the name of a shared one.
 struct OwnOption
 {
     /// Without the dash.
     const char* name;
     /// Names of its arguments, as -help prints them.
     std::vector<const char*> arguments;
+    /// Null: -help does not show it.
     const char* help;
     std::function<void(Arguments&)> read;
 };

@@ -3,19 +3,20 @@
 #include "volume_io/volume_io.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vo {
 
 std::vector<std::uint8_t> roundedColors(std::span<const float> pixels)
 {
-    std::vector<std::uint8_t> colors;
-    colors.reserve(pixels.size() / 4 * 3);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (i % 4 == 3) continue;
-        const float value = std::isnan(pixels[i]) ? 0 : std::clamp(pixels[i], 0.0f, 1.0f);
-        colors.push_back(std::uint8_t(std::lround(255 * value)));
-    }
+    std::vector<std::uint8_t> colors(pixels.size() / 4 * 3);
+    for (std::size_t pixel = 0; pixel < pixels.size() / 4; ++pixel)
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const float value = pixels[4 * pixel + channel];
+            const float scaled = value > 0.0f ? 255.0f * std::min(value, 1.0f) : 0.0f; // 0 for NaN too
+            const int below = static_cast<int>(scaled);
+            colors[3 * pixel + channel] =
+                static_cast<std::uint8_t>(below + (scaled - static_cast<float>(below) >= 0.5f));
+        }
     return colors;
 }
 

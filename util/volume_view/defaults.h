@@ -1,0 +1,44 @@
+#pragma once
+
+#include "lookup_file.h"
+#include "options.h"
+#include "value_range.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// What a picture of a volume takes where the options leave it open: the same in all programs.
+namespace vo {
+
+constexpr double kMostSamplingPlanes = 65536;
+
+/// Spacing of the voxels along x, y, z as the picture has it: that of -scale, else the file's, the
+/// smallest 1.
+std::array<float, 3> voxelScale(const Options& options, const std::array<double, 3>& spacing);
+
+/// The most sampling planes that any view of a box of `size` voxels has. They are at most the diagonal of the
+/// scaled box apart from each other; a view volume is a little deeper. `margin`: see Model.
+double samplingPlaneCount(const Options& options, const std::array<double, 3>& size,
+                          const std::array<float, 3>& scale, double margin = 1);
+
+/// The options that the count of planes (and of bricks) comes from and that the user gave, to begin a message
+/// with: "options -sampling and -scale: ".
+std::string planeOptionsGiven(const Options& options, bool withBricks);
+
+/// The values of the file that become the ends of the table: those of -dataRange, else those that the file
+/// has
+/// (`seen`); all values of an 8-bit type (`full`), which its files seldom leave unused, and of volumes of
+/// several channels, of which nothing is seen.
+ValueRange dataRange(const Options& options, const ValueRange& seen, const ValueRange& full, bool isByte);
+
+/// Whether a picture is in RGBA or in grey: -color and -monochrome, else whether the table has colours.
+bool inColor(const Options& options, bool tableHasColors);
+
+/// Voxels along a brick of which `bricks`, the last ones partly empty, cover `size` voxels.
+std::int64_t brickSizeFor(std::int64_t size, int bricks, int overlap);
+
+/// A table's entries in 4 components (red, green, blue, alpha) or 2 (luminance, alpha).
+std::vector<float> tableEntries(const LookupFile& table, int components);
+
+} // namespace vo
