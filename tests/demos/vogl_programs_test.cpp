@@ -65,6 +65,50 @@ TEST_F(VoglPrograms, pictureHasTheSizeAskedFor)
     }
 }
 
+TEST_F(VoglPrograms, vorenderDrawsThePicturesOfVoglBasic)
+{
+    writeBlob("blob.tif");
+    std::ofstream(folder / "steep.lut") << "0 0 0 0\n255 80 20 0\n255 200 90 60\n250 250 255 200\n";
+    for (const std::string options :
+         {"-view 20 30", "-view 0 180 -lutFile steep.lut", "-lut 120 90 -view -40 10 -color",
+          "-dataRange 20 200 -perspective 50 -view 10 200 -lutFile steep.lut -monochrome",
+          "-mip -view 30 70 -lutFile steep.lut", "-shells -perspective 100 -view 5 5", "-2D -view 25 50",
+          "-2D -view 80 10 -sampling 0.6", "-scale 1 2 0.5 -sampling 2 -view 40 300",
+          "-space view -view 12 34", "-bricks 2 3 1 -overlap 2 -view 12 34",
+          "-overlap 0 -view 60 34 -lutFile steep.lut"}) {
+        const std::string words = "-size 120 90 blob.tif " + options;
+        const Picture drawn = draw("-core " + words), rendered = draw(words, "vorender");
+        ASSERT_EQ(rendered.width, 120);
+        EXPECT_GT(brightest(rendered), 40) << options;
+        EXPECT_LE(vo::difference(drawn, rendered).pixelsBeyondOne, 120 * 90 / 500) << options;
+    }
+}
+
+TEST_F(VoglPrograms, vorenderDrawsVolumesOfEveryKind)
+{
+    vo::writeShorts(folder / "shorts.tif", 20, 18, 16,
+                    [](int x, int y, int z) { return 40 * x + 30 * y * (z % 3) - 300; });
+    const auto draws = [&](const std::string& words) {
+        const Picture drawn = draw("-core -size 80 80 " + words),
+                      rendered = draw("-size 80 80 " + words, "vorender");
+        EXPECT_GT(brightest(rendered), 10) << words;
+        EXPECT_LE(vo::difference(drawn, rendered).pixelsBeyondOne, 80 * 80 / 500) << words;
+    };
+    draws("shorts.tif -view 20 30");
+    draws("shorts.tif -view 20 30 -dataRange -100 500 -lut 100 300");
+    for (const auto& [name, channels] : {std::pair("two.tif", 2), std::pair("four.tif", 4)}) {
+        const vo::VolumeInfo info{{12, 14, 10}, channels, vo::ChannelType::uint8};
+        std::vector<std::byte> voxels;
+        for (int i = 0; i < 12 * 14 * 10; ++i)
+            for (int c = 0; c < channels; ++c)
+                voxels.push_back(std::byte(c == channels - 1 ? i % 40 : (i * (c + 3)) % 256));
+        ASSERT_TRUE(vo::writeTiffStack(folder / name, info, voxels));
+        draws(std::string(name) + " -view 20 30");
+        draws(std::string(name) + " -view 20 30 -color");
+        draws(std::string(name) + " -view 20 30 -lut 100 150");
+    }
+}
+
 TEST_F(VoglPrograms, twoRunsGiveTheSameBytes)
 {
     writeBlob("blob.tif");

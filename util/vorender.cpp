@@ -1,0 +1,146 @@
+// vorender VOLUME -output FILE: a picture of a volume, drawn without OpenGL.
+
+#include "utility.h"
+#include "vorender_depth.h"
+#include "vorender_options.h"
+#include "vorender_output.h"
+#include "vorender_scene.h"
+
+#include "volume_view/defaults.h"
+
+#include <future>
+
+namespace {
+
+constexpr const char* kProgram = "vorender";
+
+std::string helpText()
+{
+    return R"(Usage: vorender [OPTION...] VOLUME
+
+Draws a volume into a picture, without OpenGL and without a display: the same
+picture as voglBasic -output.
+
+Example: vorender head.tif -color -lutFile brain.lut -view 0 180 -output head.png
+         vorender -raw 256 256 256 uchar scan.raw -frames 36 -output turn%03d.png
+
+Options may stand anywhere and may be abbreviated.
+)" + vo::vorenderOptionsHelp();
+}
+
+vo::Result<vo::VolumeFile> openInput(const vo::VorenderOptions& options)
+{
+    const std::vector<std::string>& files = options.view.files;
+    if (!options.raw) return vo::openVolume(files.front());
+    return files.size() == 1 ? vo::openRawVolume(files.front(), *options.raw)
+                             : vo::openRawSlices(files, *options.raw);
+}
+
+/// The volume and its table, ready to be drawn.
+vo::Result<vo::VolumeScene> openScene(const vo::VorenderOptions& options)
+{
+    const std::string& path = options.view.files.front();
+    std::optional<vo::LookupFile> table;
+    if (!options.view.lutFile.empty()) {
+        auto read = vo::readLookupFile(options.view.lutFile);
+        if (!read) return read.failure();
+        table = *read;
+    }
+    auto file = openInput(options);
+    if (!file) return file.failure();
+    for (const std::string& note : file->description().notes)
+        vo::warn(kProgram, path + ": " + note);
+    const bool color = vo::inColor(options.view, table && table->isColor);
+    auto volume = vo::loadVolume(path, *file, options.view, color);
+    if (!volume) return volume.failure();
+    return vo::VolumeScene::make(std::move(*volume), options.view, table);
+}
+
+vo::Result<void> checkNames(const vo::VorenderOptions& options)
+{
+    const std::uintmax_t pixels = std::uintmax_t(options.view.width) * std::uintmax_t(options.view.height);
+    for (int frame = 0; frame < std::max(options.frames, 1); ++frame)
+        for (const auto& [name, floats] : {std::pair(options.output, 4u), std::pair(options.depth, 1u)}) {
+            if (name.empty()) continue;
+            auto checked = vo::checkPictureName(vo::frameName(options, name, frame), pixels * floats * 4,
+                                                options.view.files);
+            if (!checked) return checked;
+        }
+    return {};
+}
+
+/// Draws frame after frame; one is written while the next is drawn.
+class FrameWriter
+{
+public:
+    FrameWriter(const vo::VorenderOptions& options, const vo::VolumeScene& scene)
+        : options_(options), scene_(scene)
+    {
+    }
+
+    vo::Result<void> run()
+    {
+        const int count = std::max(options_.frames, 1);
+        for (int frame = 0; frame < count; ++frame) {
+            if (vo::interrupted()) return vo::Failure{"interrupted"};
+            if (auto drawn = draw(frame, 360.0 * frame / count); !drawn) return drawn;
+            if (options_.frames > 0) vo::showProgress(kProgram, "frame", frame + 1, count);
+        }
+        return written();
+    }
+
+private:
+    vo::Result<void> draw(int frame, double degrees)
+    {
+        const vo::SceneView view(scene_, degrees);
+        if (const std::string why = caster_.refusal(view.request()); !why.empty())
+            return vo::Failure{options_.view.files.front() + ": cannot be drawn without OpenGL: " + why};
+        vo::CastPicture picture;
+        caster_.cast(view.request(), picture);
+        if (!options_.depth.empty()) {
+            const auto depths = vo::pictureDepths(caster_, view.request(), picture, vo::interrupted);
+            if (depths.empty()) return vo::Failure{"interrupted"};
+            const std::string name = vo::frameName(options_, options_.depth, frame);
+            auto done = vo::writeDepths(name, options_.view.width, options_.view.height, depths);
+            if (!done) return done;
+        }
+        if (options_.output.empty()) return {};
+        if (auto done = written(); !done) return done;
+        return write(vo::frameName(options_, options_.output, frame), std::move(picture));
+    }
+
+    /// Waits for the picture that is being written.
+    vo::Result<void> written() { return pending_.valid() ? pending_.get() : vo::Result<void>(); }
+
+    vo::Result<void> write(const std::string& name, vo::CastPicture picture)
+    {
+        const auto now = options_.frames > 1 ? std::launch::async : std::launch::deferred;
+        pending_ = std::async(now, [name, picture = std::move(picture), &options = options_.view] {
+            return vo::writeFrame(name, options.width, options.height, picture, !options.mip);
+        });
+        return {};
+    }
+
+    const vo::VorenderOptions& options_;
+    const vo::VolumeScene& scene_;
+    vo::RayCaster caster_;
+    std::future<vo::Result<void>> pending_;
+};
+
+vo::Result<void> run(const std::vector<std::string>& words)
+{
+    const auto options = vo::parseVorenderOptions(words);
+    if (!options) return options.failure();
+    if (auto named = checkNames(*options); !named) return named;
+    const auto scene = openScene(*options);
+    if (!scene) return scene.failure();
+    return FrameWriter(*options, *scene).run();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const std::string help = helpText();
+    return vo::runUtility({kProgram, help.c_str(), run}, argc, argv);
+}
