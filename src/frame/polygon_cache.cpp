@@ -92,33 +92,40 @@ bool PolygonCache::update(const PolygonRequest& request, double threshold)
 {
     if (isCurrent(request, threshold)) return false;
     remember(request);
-    stack_.clear();
-    if (!sliceAsOneBody(request)) {
-        polygons_.clear();
-        Collector collector(*this);
-        const PolygonizeResult result = polygonize(request.tetras, request.clipBoxes, request.camera,
-                                                   request.sampling, workspace_, collector);
-        samples_ = result.samples;
-        sortIntoBins(request.clipBoxes.size(), result.samples);
-    }
+    bricksInterleave_ = voxelColumn_ >= 0 && request.clipBoxes.size() > 1;
+    if (request.sampling.mode == SamplingMode::spherical && request.camera.perspective)
+        cutShells(request);
+    else if (!sliceAsOneBody(request))
+        samples_ = slicer_
+                       .slice(request.tetras, request.clipBoxes, request.camera, request.sampling,
+                              bricksInterleave_ ? StackOrder::bySample : StackOrder::byBrick, 0, stack_)
+                       .samples;
     valid_ = true;
     return true;
+}
+
+void PolygonCache::cutShells(const PolygonRequest& request)
+{
+    stack_.clear();
+    polygons_.clear();
+    Collector collector(*this);
+    const PolygonizeResult result = polygonize(request.tetras, request.clipBoxes, request.camera,
+                                               request.sampling, workspace_, collector);
+    samples_ = result.samples;
+    sortIntoBins(request.clipBoxes.size(), result.samples);
 }
 
 /// False: the tetrahedra are no such body, or the request speaks of them one by one.
 bool PolygonCache::sliceAsOneBody(const PolygonRequest& request)
 {
     const SamplingRequest& sampling = request.sampling;
-    const bool shells = sampling.mode == SamplingMode::spherical && request.camera.perspective;
-    if (shells || sampling.space == SamplingSpace::primitive || request.tetras.valuesPerVertex != 3 ||
-        request.tetras.voxelColumn > 0)
-        return false;
+    if (sampling.space == SamplingSpace::primitive || request.tetras.valuesPerVertex != 3) return false;
     boxes_.assign(request.clipBoxes);
     if (!boxesStandApart(boxes_) || !body(request.tetras)) return false;
     const SamplingAxis axis = samplingAxis(request.tetras, request.camera, sampling);
     const PlaneFamily planes = samplingPlanes(request.tetras, axis, request.camera, sampling);
     convexSlicer_.slice(*body_, boundsOf(request.tetras), planes, axis.set.nearest, boxes_, stack_);
-    bricksInterleave_ = false;
+    bricksInterleave_ = false; // its coordinates are its positions
     samples_ = planes.count;
     return true;
 }
@@ -172,7 +179,6 @@ void PolygonCache::remember(const PolygonRequest& request)
 void PolygonCache::sortIntoBins(std::size_t brickCount, int samples)
 {
     const auto perBrick = static_cast<std::size_t>(std::max(samples, 1));
-    bricksInterleave_ = voxelColumn_ >= 0 && brickCount > 1;
     const auto bin = [&](const Polygon& p) {
         const auto brick = static_cast<std::size_t>(p.brick), sample = static_cast<std::size_t>(p.sample);
         return bricksInterleave_ ? sample * brickCount + brick : brick * perBrick + sample;

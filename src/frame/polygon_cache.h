@@ -9,6 +9,7 @@
 #include "polygonize/polygonize.h"
 #include "polygonize/sampling_planes.h"
 #include "polygonize/slice_convex_set.h"
+#include "polygonize/slice_stack.h"
 
 #include <cstdint>
 #include <optional>
@@ -65,6 +66,7 @@ private:
     bool isCurrent(const PolygonRequest& request, double threshold) const;
     bool sameTetras(const TetraView& tetras) const;
     void remember(const PolygonRequest& request);
+    void cutShells(const PolygonRequest& request);
     bool sliceAsOneBody(const PolygonRequest& request);
     const std::optional<ConvexSet>& body(const TetraView& tetras);
     void sortIntoBins(std::size_t brickCount, int samples);
@@ -83,6 +85,7 @@ private:
     std::optional<ConvexSet> body_; ///< that they fill
     BoxLattice boxes_;
     ConvexSlicer convexSlicer_;
+    StackSlicer slicer_;
 
     PolygonizeWorkspace workspace_;
     PolygonStack stack_;

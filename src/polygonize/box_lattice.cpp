@@ -113,4 +113,23 @@ double BoxLattice::snapped(int axis, double coordinate) const
     return nearestFace(coordinate, faces_[static_cast<std::size_t>(axis)]);
 }
 
+int BoxLattice::intervalAround(int axis, double low, double high) const
+{
+    const auto& faces = faces_[static_cast<std::size_t>(axis)];
+    const auto& intervals = intervals_[static_cast<std::size_t>(axis)];
+    if (faces.empty() || high < faces.front() - kSnapDistance || low > faces.back() + kSnapDistance)
+        return kOutside;
+    int found = kAcross;
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        if (!(intervals[i].lower < low - kSnapDistance && intervals[i].upper > high + kSnapDistance))
+            continue;
+        if (found >= 0) return kAcross;
+        found = static_cast<int>(i);
+    }
+    if (found < 0) return kAcross;
+    // A smaller interval may lie inside this one.
+    const auto face = std::upper_bound(faces.begin(), faces.end(), low - kSnapDistance);
+    return face != faces.end() && *face < high + kSnapDistance ? kAcross : found;
+}
+
 } // namespace vo

@@ -45,6 +45,12 @@ public:
     /// A coordinate on an axis, or the face that close to it.
     double snapped(int axis, double coordinate) const;
 
+    /// The interval inside which a range of coordinates lies, farther from its ends than coordinates are
+    /// drawn to faces.
+    static constexpr int kAcross = -1;  ///< it meets a face, or intervals overlap
+    static constexpr int kOutside = -2; ///< it lies outside all
+    int intervalAround(int axis, double low, double high) const;
+
 private:
     std::uint64_t number(const Cell& cell) const;
     void findIntervals(int axis);

@@ -155,6 +155,21 @@ PlaneFamily spanningPlanes(const SamplingAxis& axis, const DepthRange& range, in
     return planes;
 }
 
+int firstPlaneInFront(const PlaneFamily& planes, double nearest, double offset)
+{
+    const auto inFront = [&](int k) {
+        const double plane = planes.offset(k);
+        return plane > nearest ? offset >= plane : offset > plane;
+    };
+    const double guess = std::ceil((planes.first - offset) / planes.spacing);
+    int k = static_cast<int>(std::clamp(guess, 0.0, static_cast<double>(planes.count)));
+    while (k > 0 && inFront(k - 1))
+        --k;
+    while (k < planes.count && !inFront(k))
+        ++k;
+    return k;
+}
+
 DepthRange rangeOfSet(const TetraView& tetras, const glm::dvec3& normal)
 {
     DepthRange range{kInfinity, -kInfinity};

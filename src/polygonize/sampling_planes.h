@@ -46,6 +46,11 @@ struct DepthRange
     bool empty() const { return !(nearest <= farthest); }
 };
 
+/// The first plane that has a point with this offset in front; so have those after it. A point on a plane
+/// counts as in front, but on planes at `nearest`, the nearest point of the set, and before it as behind: so
+/// a face there is yielded by what lies behind.
+int firstPlaneInFront(const PlaneFamily& planes, double nearest, double offset);
+
 /// What the planes of one view have in common.
 struct SamplingAxis
 {

@@ -171,23 +171,6 @@ void ConvexSlicer::sliceInto(int box, const ConvexBody& body)
     if (stack_->indices.size() > first) stack_->runs.push_back({box, first, stack_->indices.size() - first});
 }
 
-/// Planes from here on have a point of that offset in front. On and before the set's nearest plane points on
-/// a plane count as behind it, so that a face there is yielded by what lies behind.
-int ConvexSlicer::firstPlaneInFront(double offset) const
-{
-    const auto inFront = [&](int k) {
-        const double plane = planes_.offset(k);
-        return plane > nearest_ ? offset >= plane : offset > plane;
-    };
-    const double guess = std::ceil((planes_.first - offset) / planes_.spacing);
-    int k = static_cast<int>(std::clamp(guess, 0.0, static_cast<double>(planes_.count)));
-    while (k > 0 && inFront(k - 1))
-        --k;
-    while (k < planes_.count && !inFront(k))
-        ++k;
-    return k;
-}
-
 /// Between two planes at which corners come in front, the same edges are cut.
 void ConvexSlicer::slicePlanes(const ConvexBody& body, int begin, int end)
 {
@@ -195,7 +178,7 @@ void ConvexSlicer::slicePlanes(const ConvexBody& body, int begin, int end)
     firstInFront_.clear();
     for (const glm::dvec3& p : body.corners) {
         offsets_.push_back(glm::dot(planes_.normal, p));
-        firstInFront_.push_back(firstPlaneInFront(offsets_.back()));
+        firstInFront_.push_back(firstPlaneInFront(planes_, nearest_, offsets_.back()));
     }
     changes_.clear();
     for (const int k : firstInFront_)

@@ -42,7 +42,6 @@ private:
     void cutAcross(int axis, const ConvexBody& body);
     bool belongsToNext(int plane) const;
     void sliceInto(int box, const ConvexBody& body);
-    int firstPlaneInFront(double offset) const;
     void slicePlanes(const ConvexBody& body, int begin, int end);
     std::span<const float> polygonAt(int plane);
     void append(std::span<const float> polygon);

@@ -1,7 +1,8 @@
 #include "polygonize/slice_tetra.h"
 
+#include "polygonize/tetra_sections.h"
+
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace vo {
@@ -23,33 +24,6 @@ bool comesBefore(const double* a, const double* b, int values)
         if (a[i] != b[i]) return a[i] < b[i];
     return std::lexicographical_compare(a, a + values - 3, b, b + values - 3);
 }
-
-/// How many vertices are in front, and an even permutation that puts them first.
-struct Split
-{
-    int inFront;
-    std::array<int, 4> order;
-};
-
-/// Indexed by a bit per vertex that is in front.
-constexpr std::array<Split, 16> kSplits{{
-    {0, {0, 1, 2, 3}},
-    {1, {0, 1, 2, 3}},
-    {1, {1, 0, 3, 2}},
-    {2, {0, 1, 2, 3}},
-    {1, {2, 0, 1, 3}},
-    {2, {0, 2, 3, 1}},
-    {2, {1, 2, 0, 3}},
-    {3, {0, 1, 2, 3}},
-    {1, {3, 0, 2, 1}},
-    {2, {0, 3, 1, 2}},
-    {2, {1, 3, 2, 0}},
-    {3, {0, 3, 1, 2}},
-    {2, {2, 3, 0, 1}},
-    {3, {0, 2, 3, 1}},
-    {3, {1, 3, 2, 0}},
-    {4, {0, 1, 2, 3}},
-}};
 
 } // namespace
 
@@ -105,29 +79,21 @@ void cutEdge(const double* from, const double* to, double fromDistance, double t
 void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out,
                 int voxelColumn)
 {
-    out.clear(values, voxelColumn);
-    unsigned mask = 0;
+    unsigned inFront = 0;
     for (unsigned i = 0; i < 4; ++i)
-        mask |= (distances[i] >= 0.0 ? 1u : 0u) << i;
-    const auto& [inFront, v] = kSplits[mask];
+        inFront |= (distances[i] >= 0.0 ? 1u : 0u) << i;
+    sliceTetra(vertices, distances, inFront, values, out, voxelColumn);
+}
 
-    const auto cut = [&](int a, int b) {
-        cutEdge(vertices[a], vertices[b], distances[a], distances[b], values, out.grow());
+void sliceTetra(const double* const vertices[4], const double distances[4], unsigned inFront, int values,
+                CutPolygon& out, int voxelColumn)
+{
+    out.clear(values, voxelColumn);
+    const TetraSection& section = kTetraSections[inFront];
+    for (int i = 0; i < section.count; ++i) {
+        const auto [front, behind] = section.edges[static_cast<std::size_t>(i)];
+        cutEdge(vertices[front], vertices[behind], distances[front], distances[behind], values, out.grow());
         out.dropRepeat();
-    };
-    if (inFront == 1) {
-        cut(v[0], v[1]);
-        cut(v[0], v[2]);
-        cut(v[0], v[3]);
-    } else if (inFront == 2) {
-        cut(v[0], v[2]);
-        cut(v[0], v[3]);
-        cut(v[1], v[3]);
-        cut(v[1], v[2]);
-    } else if (inFront == 3) {
-        cut(v[0], v[3]);
-        cut(v[1], v[3]);
-        cut(v[2], v[3]);
     }
     out.close();
 }

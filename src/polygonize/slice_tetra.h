@@ -49,5 +49,8 @@ void cutEdge(const double* from, const double* to, double fromDistance, double t
 /// polygon: counterclockwise seen from behind the plane when dot(v1 - v0, cross(v2 - v0, v3 - v0)) > 0.
 void sliceTetra(const double* const vertices[4], const double distances[4], int values, CutPolygon& out,
                 int voxelColumn = -1);
+/// The same, where a bit for each vertex says which are in front.
+void sliceTetra(const double* const vertices[4], const double distances[4], unsigned inFront, int values,
+                CutPolygon& out, int voxelColumn);
 
 } // namespace vo

@@ -1,0 +1,390 @@
+#include "polygonize/slice_stack.h"
+
+#include "core/parallel.h"
+#include "polygonize/box_cutter.h"
+#include "polygonize/box_lattice.h"
+#include "polygonize/slice_tetra.h"
+#include "polygonize/write_slices.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace vo {
+
+namespace {
+
+/// Parts of the work that threads take one by one; the same for any number of them.
+constexpr std::size_t kTetrasInPart = 2048;
+constexpr std::size_t kMostParts = 64;
+/// Counters of all parts together.
+constexpr std::size_t kMostCounters = std::size_t{1} << 23;
+
+/// What is known of a tetrahedron after it was looked at.
+struct Item
+{
+    std::uint32_t tetra;
+    std::int32_t box; ///< that holds all of it; -1: the polygons are those kept aside
+    std::array<std::int32_t, 4> firstInFront;
+    std::uint32_t firstAside; ///< of the part's polygons kept aside
+    std::uint32_t asideCount;
+    bool mirrored; ///< its first two corners change places
+};
+
+struct AsidePolygon
+{
+    int box;
+    int sample;
+    std::size_t first; ///< of the values
+    std::uint32_t records;
+};
+
+/// Polygons that boxes have cut wait here until their place is known.
+class Aside final : public FaceSink
+{
+public:
+    explicit Aside(int values) : values_(static_cast<std::size_t>(values)) {}
+
+    bool append(int brick, int sample, std::span<const float> records) override
+    {
+        const std::size_t first = data.size();
+        std::ranges::copy(records, data.grow(records.size()));
+        polygons.push_back({brick, sample, first, static_cast<std::uint32_t>(records.size() / values_)});
+        return true;
+    }
+    void clear(int values)
+    {
+        values_ = static_cast<std::size_t>(values);
+        data.clear();
+        polygons.clear();
+    }
+
+    KeptArray<float> data;
+    std::vector<AsidePolygon> polygons;
+
+private:
+    std::size_t values_;
+};
+
+struct Part
+{
+    std::size_t firstTetra = 0, endTetra = 0;
+    KeptArray<Item> items;
+    Aside aside{3};
+    // One a box and plane: how many, then the number of the next one.
+    std::vector<std::uint32_t> records;
+    std::vector<std::size_t> indices;
+
+    BoxCutter cutter;
+    std::vector<double> corners;
+    CutPolygon slice;
+    std::vector<float> scratch;
+};
+
+struct Job
+{
+    const TetraView& tetras;
+    std::span<const Box> boxes;
+    StackOrder order;
+    PlaneFamily planes;
+    double nearest;                        ///< of the set
+    const SamplingRequest* own = nullptr;  ///< each tetrahedron has its own planes
+    const SamplingAxis* ownAxis = nullptr; ///< of these
+    std::size_t samples = 0;
+    PolygonStack* stack = nullptr; ///< where they are written
+
+    std::size_t bins() const { return boxes.size() * samples; }
+    std::size_t bin(int box, int sample) const
+    {
+        const auto b = static_cast<std::size_t>(box), s = static_cast<std::size_t>(sample);
+        return order == StackOrder::byBrick ? b * samples + s : s * boxes.size() + b;
+    }
+    std::size_t stride() const { return order == StackOrder::byBrick ? 1 : boxes.size(); }
+    PlaneFamily planesOf(std::size_t tetra) const
+    {
+        return own ? primitivePlanes(tetras, static_cast<int>(tetra), *ownAxis, *own) : planes;
+    }
+    const float* corner(std::size_t tetra, std::size_t i) const
+    {
+        return tetras.record(tetras.indices[4 * tetra + i]);
+    }
+};
+
+/// Looks at the tetrahedra of a part: what planes and boxes meet each, and how much that will make.
+class Looker
+{
+public:
+    Looker(const Job& job, const BoxLattice& lattice, Part& part) : job_(job), lattice_(lattice), part_(part)
+    {
+    }
+
+    void lookAtAll()
+    {
+        part_.items.clear();
+        part_.aside.clear(job_.tetras.valuesPerVertex);
+        part_.records.assign(job_.bins(), 0);
+        part_.indices.assign(job_.bins(), 0);
+        for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; ++tetra)
+            lookAt(tetra);
+    }
+
+private:
+    void lookAt(std::size_t tetra)
+    {
+        Item item{static_cast<std::uint32_t>(tetra), -1, {}, 0, 0, false};
+        std::array<glm::dvec3, 4> p;
+        for (std::size_t i = 0; i < 4; ++i)
+            p[i] = job_.tetras.position(job_.tetras.indices[4 * tetra + i]);
+        const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0]));
+        if (!(std::abs(volume) > 0.0) || !std::isfinite(volume)) return;
+        item.mirrored = volume < 0.0;
+        if (item.mirrored) std::swap(p[0], p[1]);
+        const PlaneFamily planes = job_.planesOf(tetra);
+        for (std::size_t i = 0; i < 4; ++i)
+            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, glm::dot(planes.normal, p[i]));
+        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
+        if (begin == end || !findBox(tetra, item)) return;
+        if (item.box >= 0)
+            count(item, begin, end);
+        else
+            cutAside(tetra, planes, item, begin, end);
+        *part_.items.grow(1) = item;
+    }
+
+    /// False: the tetrahedron is outside of all boxes.
+    bool findBox(std::size_t tetra, Item& item) const
+    {
+        const int column =
+            job_.tetras.voxelColumn >= 0 ? job_.tetras.voxelColumn : job_.tetras.valuesPerVertex - 3;
+        BoxLattice::Cell cell{};
+        bool across = false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::array<float, 4> c{
+                job_.corner(tetra, 0)[column + axis], job_.corner(tetra, 1)[column + axis],
+                job_.corner(tetra, 2)[column + axis], job_.corner(tetra, 3)[column + axis]};
+            const auto [low, high] = std::ranges::minmax(c);
+            const int interval = lattice_.intervalAround(axis, low, high);
+            if (interval == BoxLattice::kOutside) return false;
+            across = across || interval == BoxLattice::kAcross;
+            cell[static_cast<std::size_t>(axis)] = interval;
+        }
+        if (across) return true;
+        const auto boxes = lattice_.boxes(cell);
+        if (boxes.size() == 1) item.box = boxes.front().box;
+        return !boxes.empty();
+    }
+
+    void count(const Item& item, int begin, int end)
+    {
+        const std::size_t first = job_.bin(item.box, begin), stride = job_.stride();
+        for (int k = begin; k < end; ++k) {
+            int inFront = 0;
+            for (const std::int32_t plane : item.firstInFront)
+                inFront += plane <= k;
+            const std::size_t bin = first + static_cast<std::size_t>(k - begin) * stride;
+            part_.records[bin] += inFront == 2 ? 4 : 3;
+            part_.indices[bin] += inFront == 2 ? 6 : 3;
+        }
+    }
+
+    /// Slices it plane by plane and lets the boxes cut the slices.
+    void cutAside(std::size_t tetra, const PlaneFamily& planes, Item& item, int begin, int end)
+    {
+        const int values = job_.tetras.valuesPerVertex;
+        const auto size = static_cast<std::size_t>(values);
+        if (part_.corners.size() < 4 * size) part_.corners.resize(4 * size);
+        std::array<const double*, 4> records;
+        std::array<double, 4> offsets;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float* source = job_.corner(tetra, item.mirrored && i < 2 ? 1 - i : i);
+            double* record = part_.corners.data() + i * size;
+            for (std::size_t value = 0; value < size; ++value)
+                record[value] = static_cast<double>(source[value]) + 0.0; // -0 and 0 are one place
+            records[i] = record;
+            offsets[i] =
+                glm::dot(planes.normal, glm::dvec3(record[size - 3], record[size - 2], record[size - 1]));
+        }
+        item.firstAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+        for (int k = begin; k < end; ++k) {
+            std::array<double, 4> distances;
+            unsigned mask = 0;
+            for (unsigned i = 0; i < 4; ++i) {
+                distances[i] = offsets[i] - planes.offset(k);
+                mask |= (item.firstInFront[i] <= k ? 1u : 0u) << i;
+            }
+            sliceTetra(records.data(), distances.data(), mask, values, part_.slice, job_.tetras.voxelColumn);
+            part_.cutter.cut(part_.slice, k, part_.aside);
+        }
+        item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
+        for (const AsidePolygon& polygon :
+             std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
+            part_.records[job_.bin(polygon.box, polygon.sample)] += polygon.records;
+            part_.indices[job_.bin(polygon.box, polygon.sample)] += 3 * (polygon.records - 2);
+        }
+    }
+
+    const Job& job_;
+    const BoxLattice& lattice_;
+    Part& part_;
+};
+
+void writeAside(const Job& job, Part& part, const Item& item)
+{
+    PolygonStack& stack = *job.stack;
+    const auto values = static_cast<std::size_t>(job.tetras.valuesPerVertex);
+    for (const AsidePolygon& polygon :
+         std::span(part.aside.polygons).subspan(item.firstAside, item.asideCount)) {
+        const std::size_t bin = job.bin(polygon.box, polygon.sample);
+        const std::uint32_t first = part.records[bin];
+        std::copy_n(part.aside.data.data() + polygon.first, polygon.records * values,
+                    stack.records.data() + first * values);
+        std::uint32_t* index = stack.indices.data() + part.indices[bin];
+        for (std::uint32_t i = 1; i + 1 < polygon.records; ++i) {
+            *index++ = first + i;
+            *index++ = first + i + 1;
+            *index++ = first;
+        }
+        part.records[bin] += polygon.records;
+        part.indices[bin] += 3 * (polygon.records - 2);
+    }
+}
+
+void writePart(const Job& job, Part& part)
+{
+    PolygonStack& stack = *job.stack;
+    for (const Item& item : part.items.all()) {
+        if (item.box < 0) {
+            writeAside(job, part, item);
+            continue;
+        }
+        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, item.firstInFront};
+        for (std::size_t i = 0; i < 4; ++i)
+            tetra.corners[i] = job.corner(item.tetra, item.mirrored && i < 2 ? 1 - i : i);
+        const std::size_t bin = job.bin(item.box, 0);
+        const SliceTarget target{stack.records.data(), stack.indices.data(), part.records.data() + bin,
+                                 part.indices.data() + bin, job.stride()};
+        writeSlices(tetra, job.planesOf(item.tetra), target, part.scratch);
+    }
+}
+
+/// Planes of the tetrahedron that has most of them.
+std::size_t sampleCount(const Job& job)
+{
+    int most = job.planes.count;
+    if (job.own)
+        for (int tetra = 0; tetra < job.tetras.tetraCount(); ++tetra)
+            most = std::max(most, job.planesOf(static_cast<std::size_t>(tetra)).count);
+    return static_cast<std::size_t>(most);
+}
+
+} // namespace
+
+struct StackSlicer::Private
+{
+    BoxLattice lattice;
+    std::vector<std::unique_ptr<Part>> parts;
+
+    PolygonizeResult slice(Job& job, int threads, PolygonStack& stack);
+    std::span<const std::unique_ptr<Part>> divide(const Job& job)
+    {
+        const auto tetras = static_cast<std::size_t>(job.tetras.tetraCount());
+        const std::size_t wanted = std::clamp<std::size_t>(tetras / kTetrasInPart, 1, kMostParts);
+        const std::size_t count =
+            std::clamp<std::size_t>(kMostCounters / std::max<std::size_t>(job.bins(), 1), 1, wanted);
+        while (parts.size() < count)
+            parts.push_back(std::make_unique<Part>());
+        for (std::size_t i = 0; i < count; ++i) {
+            parts[i]->firstTetra = tetras * i / count;
+            parts[i]->endTetra = tetras * (i + 1) / count;
+        }
+        return std::span(parts).first(count);
+    }
+};
+
+StackSlicer::StackSlicer() : d(std::make_unique<Private>()) {}
+StackSlicer::~StackSlicer() = default;
+
+namespace {
+
+/// Turns what the parts counted into places: box by box and plane by plane, in each part by part. False: too
+/// many records.
+bool findPlaces(const Job& job, std::span<const std::unique_ptr<Part>> parts, PolygonStack& stack)
+{
+    std::uint64_t records = 0;
+    std::size_t indices = 0;
+    const std::size_t inner = job.order == StackOrder::byBrick ? job.samples : job.boxes.size();
+    for (std::size_t bin = 0; bin < job.bins(); ++bin) {
+        const std::size_t before = indices;
+        for (const auto& part : parts) {
+            const std::uint32_t count =
+                std::exchange(part->records[bin], static_cast<std::uint32_t>(records));
+            indices += std::exchange(part->indices[bin], indices);
+            records += count;
+        }
+        if (indices == before) continue;
+        const int brick = static_cast<int>(job.order == StackOrder::byBrick ? bin / inner : bin % inner);
+        const bool goesOn =
+            job.order == StackOrder::byBrick && !stack.runs.empty() && stack.runs.back().brick == brick;
+        if (!goesOn) stack.runs.push_back({brick, before, 0});
+        stack.runs.back().count = indices - stack.runs.back().first;
+    }
+    if (records > UINT32_MAX) {
+        stack.clear();
+        return false;
+    }
+    stack.records.resize(static_cast<std::size_t>(records) *
+                         static_cast<std::size_t>(job.tetras.valuesPerVertex));
+    stack.indices.resize(indices);
+    return true;
+}
+
+} // namespace
+
+PolygonizeResult StackSlicer::slice(const TetraView& tetras, std::span<const Box> clipBoxes,
+                                    const Camera& camera, const SamplingRequest& request, StackOrder order,
+                                    int threads, PolygonStack& stack)
+{
+    const SamplingAxis axis = samplingAxis(tetras, camera, request);
+    Job job{tetras, clipBoxes, order, samplingPlanes(tetras, axis, camera, request), axis.set.nearest};
+    if (request.space == SamplingSpace::primitive) {
+        job.own = &request;
+        job.ownAxis = &axis;
+    }
+    return d->slice(job, threads, stack);
+}
+
+PolygonizeResult StackSlicer::slice(const TetraView& tetras, std::span<const Box> clipBoxes,
+                                    const PlaneFamily& planes, StackOrder order, int threads,
+                                    PolygonStack& stack)
+{
+    Job job{tetras, clipBoxes, order, planes, rangeOfSet(tetras, planes.normal).nearest};
+    return d->slice(job, threads, stack);
+}
+
+PolygonizeResult StackSlicer::Private::slice(Job& job, int threads, PolygonStack& stack)
+{
+    stack.clear();
+    job.samples = sampleCount(job);
+    PolygonizeResult result{job.planes.count, job.planes.spacing, true};
+    if (job.bins() == 0) return result;
+    lattice.assign(job.boxes);
+    const auto used = divide(job);
+    // Closures of two words: others would be put into memory of their own.
+    parallelFor(used.size(), threads, [this, &job](std::size_t i) {
+        parts[i]->cutter.assign(job.boxes);
+        Looker(job, lattice, *parts[i]).lookAtAll();
+    });
+    job.stack = &stack;
+    result.complete = findPlaces(job, used, stack);
+    if (result.complete)
+        parallelFor(used.size(), threads, [this, &job](std::size_t i) { writePart(job, *parts[i]); });
+    return result;
+}
+
+} // namespace vo

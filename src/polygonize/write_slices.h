@@ -1,0 +1,36 @@
+#pragma once
+
+#include "polygonize/sampling_planes.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace vo {
+
+/// A tetrahedron to be sliced by planes that nothing else cuts. Corners are positively oriented.
+struct TetraToSlice
+{
+    std::array<const float*, 4> corners; ///< their records
+    int values;                          ///< of a record
+    std::array<int, 4> firstInFront;     ///< the first plane that has the corner in front
+};
+
+/// Where slices go: for each plane of one box, the numbers of its next record and of its next index.
+struct SliceTarget
+{
+    float* records;
+    std::uint32_t* indices;
+    std::uint32_t* nextRecord; ///< of the first plane
+    std::size_t* nextIndex;    ///< likewise
+    std::size_t stride;        ///< from one plane to the next
+};
+
+/// Slices a tetrahedron with all planes that meet it, several at a time. A polygon is a fan as PolygonStack
+/// has it, and keeps vertices that fall together. The bits are those of cutEdge.
+/// `scratch` keeps its memory from call to call.
+void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
+                 std::vector<float>& scratch);
+
+} // namespace vo
