@@ -103,7 +103,7 @@ struct RayCaster::Private
     std::vector<float> records;
     std::vector<int> indices;
     std::optional<ConvexSet> convex;
-    bool leaping = true;
+    bool skipping = true;
 
     KeptGrid& gridOf(const CastRequest& request)
     {
@@ -199,8 +199,8 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     job.blockCount = kept.grid->blockCount();
     const bool extreme = request.blending == CastBlending::max || request.blending == CastBlending::min;
     job.extremeOfRaw = extreme && kept.plan.rises() && !job.gauge;
-    if (d->leaping && !extreme) job.blockDistance = kept.blocks.distance.data();
-    if (d->leaping && job.extremeOfRaw) job.blockRanges = kept.grid->blockRanges().data();
+    if (d->skipping && !extreme) job.blockDistance = kept.blocks.distance.data();
+    if (d->skipping && job.extremeOfRaw) job.blockRanges = kept.grid->blockRanges().data();
     job.picture = &picture;
 
     const int columns = (picture.width + kTile - 1) / kTile, rows = (picture.height + kTile - 1) / kTile;
@@ -210,6 +210,11 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
                     const int y = pixels.bottom + static_cast<int>(i) / columns * kTile;
                     walkRays(job, {x, y, std::min(x + kTile, pixels.right), std::min(y + kTile, pixels.top)});
                 });
+}
+
+void RayCaster::setSkipping(bool on)
+{
+    d->skipping = on;
 }
 
 void RayCaster::forget(std::uint64_t brickId)

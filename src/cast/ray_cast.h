@@ -27,6 +27,9 @@ public:
     /// The frame, into memory that `picture` keeps from call to call. Only for requests without refusal.
     void cast(const CastRequest& request, CastPicture& picture);
 
+    /// Off: samples are taken where they add exactly nothing too. The picture is the same, to the bit.
+    void setSkipping(bool on);
+
     /// Lets go of what was kept of a brick.
     void forget(std::uint64_t brickId);
     /// Bytes kept.

@@ -18,6 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace vo {
 namespace HWY_NAMESPACE {
+namespace {
 
 using DoubleTag = hn::CappedTag<double, 8>;
 using Doubles = hn::Vec<DoubleTag>;
@@ -519,6 +520,8 @@ void walkSamples(const RayJob& job, const PixelRectangle& tile)
     if (shading.table) return walkTile<Sampler, TableShade, Over>(job, tile);
     return walkTile<Sampler, LinearShade, Over>(job, tile);
 }
+
+} // namespace
 
 void walkRaysOfTarget(const RayJob& job, const PixelRectangle& tile)
 {
