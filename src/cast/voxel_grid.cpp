@@ -358,6 +358,16 @@ bool VoxelGrid::fill(std::span<const CastBrick> bricks, int threads)
     return true;
 }
 
+/// Bytes may alias anything: without the promise that they do not, this loop is not done with SIMD.
+template <class T>
+void widen(const T* __restrict values, std::size_t count, T* __restrict lowest, T* __restrict highest)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        lowest[i] = std::min(lowest[i], values[i]);
+        highest[i] = std::max(highest[i], values[i]);
+    }
+}
+
 /// A block's samples mix the voxels of its cells and of the next ones in each direction.
 template <class T>
 void VoxelGrid::findRanges(int threads)
@@ -384,11 +394,7 @@ void VoxelGrid::findRanges(int threads)
             for (int y = firstY; y <= lastY; ++y) {
                 const T* row =
                     voxels + static_cast<std::size_t>(z) * slice + static_cast<std::size_t>(y) * pitch;
-                T *lowest = low.data(), *highest = high.data();
-                for (std::size_t x = 0; x < pitch; ++x) {
-                    lowest[x] = std::min(lowest[x], row[x]);
-                    highest[x] = std::max(highest[x], row[x]);
-                }
+                widen(row, low.size(), low.data(), high.data());
             }
     };
     parallelFor(static_cast<std::size_t>(blockCount_.z), threads, [&](std::size_t bz) {
