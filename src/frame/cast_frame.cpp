@@ -4,6 +4,7 @@
 #include "core/log.h"
 #include "draw/composite_picture.h"
 #include "draw/compositing_state.h"
+#include "lookup/brick_texels.h"
 #include "polygonize/line_of_sight.h"
 
 #include <cstdlib>
@@ -13,25 +14,6 @@
 namespace vo {
 
 namespace {
-
-bool isBounded(VoxelType type)
-{
-    switch (type) {
-    case VoxelType::uint32:
-    case VoxelType::int32:
-    case VoxelType::float32: return false;
-    case VoxelType::uint8:
-    case VoxelType::int8:
-    case VoxelType::uint8_332:
-    case VoxelType::uint16:
-    case VoxelType::int16:
-    case VoxelType::uint16_4444:
-    case VoxelType::uint16_5551:
-    case VoxelType::uint32_8888:
-    case VoxelType::uint32_1010102: break;
-    }
-    return true;
-}
 
 /// Fragments may have colours outside 0 to 1.
 bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw)
@@ -43,7 +25,7 @@ bool isUnbounded(const ContextRecord& context, const FrameRequest& request, cons
         activeTable(context, TableKind::postInterpolation))
         return false;
     for (const FrameBrick& brick : request.bricks)
-        if (!isBounded(brick.image.format.type)) return true;
+        if (!clampsTexels(brick.image.format.type)) return true;
     return false;
 }
 
