@@ -9,6 +9,7 @@
 #include "bench_worker.h"
 
 #include "polygonize/polygonize.h"
+#include "polygonize/slice_stack.h"
 
 #include <glm/geometric.hpp>
 
@@ -50,6 +51,25 @@ struct FaceStore : vo::FaceSink
     }
 };
 
+/// What a stack holds: a polygon is a fan whose triangles end with its first vertex.
+void countStack(const vo::PolygonStack& stack, double& polygons, double& area)
+{
+    const auto corner = [&](std::size_t record) {
+        const float* p = stack.records.data() + 3 * record;
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    for (const vo::PolygonStack::Run& run : stack.runs) {
+        std::uint32_t fan = 0;
+        for (std::size_t i = run.first; i < run.first + run.count; i += 3) {
+            const std::uint32_t* triangle = stack.indices.data() + i;
+            if (i == run.first || triangle[2] != fan) ++polygons;
+            fan = triangle[2];
+            const glm::dvec3 a = corner(triangle[0]);
+            area += 0.5 * glm::length(glm::cross(corner(triangle[1]) - a, corner(triangle[2]) - a));
+        }
+    }
+}
+
 /// Bricks that meet; the outermost reach beyond the tetrahedra.
 std::vector<vo::Box> brickBoxes(int perAxis)
 {
@@ -74,6 +94,25 @@ vo::PlaneFamily familyOf(const bench::Planes& planes)
     return family;
 }
 
+std::string factsOf(double polygons, double area)
+{
+    return bench::jsonPair("polygons", polygons) + ", " + bench::jsonPair("area", area);
+}
+
+int serveStack(const vo::TetraView& view, std::span<const vo::Box> boxes, const vo::PlaneFamily& family)
+{
+    vo::StackSlicer slicer;
+    vo::PolygonStack stack;
+    bench::Worker worker;
+    worker.work = [&](int) { slicer.slice(view, boxes, family, vo::StackOrder::byBrick, 0, stack); };
+    worker.facts = [&] {
+        double polygons = 0.0, area = 0.0;
+        countStack(stack, polygons, area);
+        return factsOf(polygons, area);
+    };
+    return bench::serve(worker);
+}
+
 int run(const std::vector<std::string>& arguments)
 {
     if (arguments.size() != 4)
@@ -83,7 +122,9 @@ int run(const std::vector<std::string>& arguments)
     const std::vector<vo::Box> boxes = brickBoxes(std::stoi(arguments[2]));
     const vo::TetraView view{tetras.positions, 3, tetras.indices, -1};
     const vo::PlaneFamily family = familyOf(planes);
-    if (arguments[3] != "faces") throw std::invalid_argument("'" + arguments[3] + "' is no form");
+    if (arguments[3] == "stack") return serveStack(view, boxes, family);
+    if (arguments[3] != "faces")
+        throw std::invalid_argument("'" + arguments[3] + "' is no form; stack and faces are");
     vo::PolygonizeWorkspace workspace;
     FaceStore faces;
     bench::Worker worker;
@@ -91,7 +132,7 @@ int run(const std::vector<std::string>& arguments)
     worker.facts = [&] {
         faces.measureArea = true;
         vo::polygonize(view, boxes, family, workspace, faces);
-        return bench::jsonPair("polygons", faces.polygons) + ", " + bench::jsonPair("area", faces.area);
+        return factsOf(faces.polygons, faces.area);
     };
     return bench::serve(worker);
 }
