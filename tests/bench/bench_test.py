@@ -1,6 +1,7 @@
 """The benchmark's arithmetic, on numbers made up here: no times of this machine."""
 
 import array
+import json
 import os
 import stat
 import sys
@@ -14,6 +15,7 @@ import jobs
 import measure
 import pictures
 import report
+import run
 
 
 def row(role, walls, **facts):
@@ -140,6 +142,16 @@ class Rounds(unittest.TestCase):
 
     def test_spreadIsHalfTheDistanceOfTheQuartiles(self):
         self.assertEqual(measure.middle([5.0, 1.0, 2.0, 3.0, 4.0]), {"median": 3.0, "spread": 1.0})
+
+
+class Kept(unittest.TestCase):
+    def test_jobsThatDoNotRunNowKeepTheirResultsInTheJobsOrder(self):
+        entries = [jobs.Job(name, "", []) for name in ("a", "b", "c")]
+        with tempfile.NamedTemporaryFile("w+", suffix=".json") as file:
+            json.dump({"jobs": [{"name": "b", "run": 1}, {"name": "a", "run": 1}, {"name": "gone", "run": 1}]}, file)
+            file.flush()
+            found = run.with_kept([{"name": "b", "run": 2}], entries, file.name)
+        self.assertEqual([(job["name"], job["run"]) for job in found], [("a", 1), ("b", 2)])
 
 
 class Table(unittest.TestCase):

@@ -35,6 +35,7 @@ def arguments():
     parser.add_argument("--rounds", type=int, default=9, help="undisturbed rounds of each job (default 9)")
     parser.add_argument("--quick", action="store_true", help="three rounds: for a first look")
     parser.add_argument("--check", action="store_true", help="exit with 1 when a bar is missed")
+    parser.add_argument("--add", action="store_true", help="keep the last results of jobs that do not run now")
     parser.add_argument("--list", action="store_true", help="print the jobs' names")
     parser.add_argument("--write-table", metavar="FILE", help="measure nothing: write the last results into FILE")
     options = parser.parse_args()
@@ -128,7 +129,15 @@ def volumes_folder(output):
     return os.path.join(output, "volumes-" + digest)
 
 
-def measure_all(options, output):
+def with_kept(results, chosen, path):
+    """The results in the jobs' order, those that did not run now from the file."""
+    with open(path, encoding="utf-8") as file:
+        kept = {job["name"]: job for job in json.load(file)["jobs"]}
+    kept.update({job["name"]: job for job in results})
+    return [kept[job.name] for job in chosen if job.name in kept]
+
+
+def measure_all(options, output, path):
     programs = os.path.join(os.path.abspath(options.build), "tests", "bench")
     volumes, folder = volumes_folder(output), os.path.join(output, "pictures")
     chosen = chosen_jobs(options, volumes, folder)
@@ -153,6 +162,9 @@ def measure_all(options, output):
             print(report.printed(result), flush=True)
     finally:
         display.close()
+    if options.add and os.path.exists(path):
+        options.patterns = []
+        results = with_kept(results, chosen_jobs(options, volumes, folder), path)
     return {
         "date": datetime.date.today().isoformat(), "rounds": options.rounds,
         "machine": {"processor": processor(), "cores": os.cpu_count(), "system": platform.platform()},
@@ -171,7 +183,7 @@ def main():
         with open(path, encoding="utf-8") as file:
             report.write_table(json.load(file), options.write_table)
         return 0
-    results = measure_all(options, output)
+    results = measure_all(options, output, path)
     if results is None:
         return 0
     with open(path + ".part", "w", encoding="utf-8") as file:
