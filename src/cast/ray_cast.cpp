@@ -18,7 +18,6 @@ namespace vo {
 
 namespace {
 
-constexpr int kTile = 32;
 /// Of rearranged voxels, beyond those of the present frame.
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 

@@ -28,6 +28,9 @@ constexpr int kDoubleLanes = static_cast<int>(HWY_LANES(double) < 8 ? HWY_LANES(
 /// Pixels that go together: 4 x 4, 4 x 2, 2 x 2.
 constexpr int kPacketWidth = kLanes >= 8 ? 4 : kLanes >= 4 ? 2 : 1;
 constexpr int kPacketHeight = kLanes / kPacketWidth;
+constexpr int kTilePackets = kTile * kTile / kLanes;
+/// Planes that a tile goes at a time.
+constexpr float kSlab = 16.0f;
 /// Samples between two looks for empty blocks.
 constexpr int kRun = 4;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -39,7 +42,12 @@ struct Packet
     alignas(64) float step[3][kLanes];
     alignas(64) float count[kLanes]; ///< samples
     alignas(64) float units[kLanes]; ///< of opacity a sample
-    bool empty = true;
+    alignas(64) float first[kLanes]; ///< number of the sampling plane of the first sample
+
+    // How far the walk has come.
+    alignas(64) float sample[kLanes]; ///< the next one's number, from `first`
+    alignas(64) float blend[5][kLanes];
+    float next; ///< number of the nearest plane that is left; infinite: none
 };
 
 // ---- Where rays begin and end
@@ -170,15 +178,14 @@ void setRays(const RayJob& job, const double* pixelX, const double* pixelY, int 
         put(hn::IfThenElseZero(meets, step * unit), packet.step[axis]);
     }
     put(count, packet.count);
+    put(first, packet.first);
     put(job.gauge ? unitsOf(*job.gauge, direction) : hn::Set(kDoubles, 1.0), packet.units);
-    packet.empty = packet.empty && hn::AllFalse(kDoubles, meets);
 }
 
 /// The packet whose left lower pixel is (x, y). Pixels beyond the tile have no samples.
 void setPacket(const RayJob& job, const PixelRectangle& tile, int x, int y, Packet& packet)
 {
     alignas(64) double pixelX[kDoubleLanes], pixelY[kDoubleLanes];
-    packet.empty = true;
     for (int lane = 0; lane < kLanes; lane += kDoubleLanes) {
         for (int i = 0; i < kDoubleLanes; ++i) {
             pixelX[i] = std::min(x + (lane + i) % kPacketWidth, tile.right - 1);
@@ -189,6 +196,11 @@ void setPacket(const RayJob& job, const PixelRectangle& tile, int x, int y, Pack
     for (int lane = 0; lane < kLanes; ++lane)
         if (x + lane % kPacketWidth >= tile.right || y + lane / kPacketWidth >= tile.top)
             packet.count[lane] = 0.0f;
+    packet.next = std::numeric_limits<float>::infinity();
+    for (int lane = 0; lane < kLanes; ++lane) {
+        packet.sample[lane] = 0.0f;
+        if (packet.count[lane] > 0.0f) packet.next = std::min(packet.next, packet.first[lane]);
+    }
 }
 
 // ---- How samples join
@@ -250,6 +262,23 @@ public:
         transmittance_ = transmittance_ - weight;
     }
 
+    void keep(Packet& packet) const
+    {
+        hn::Store(red_, kFloats, packet.blend[0]);
+        hn::Store(green_, kFloats, packet.blend[1]);
+        hn::Store(blue_, kFloats, packet.blend[2]);
+        hn::Store(alpha_, kFloats, packet.blend[3]);
+        hn::Store(transmittance_, kFloats, packet.blend[4]);
+    }
+    void goOn(const Packet& packet)
+    {
+        red_ = hn::Load(kFloats, packet.blend[0]);
+        green_ = hn::Load(kFloats, packet.blend[1]);
+        blue_ = hn::Load(kFloats, packet.blend[2]);
+        alpha_ = hn::Load(kFloats, packet.blend[3]);
+        transmittance_ = hn::Load(kFloats, packet.blend[4]);
+    }
+
     /// Rays that see nothing more have no more samples.
     HWY_INLINE Floats left(Floats count) const
     {
@@ -305,6 +334,17 @@ public:
         }
     }
 
+    void keep(Packet& packet) const
+    {
+        for (std::size_t c = 0; c < 4; ++c)
+            hn::Store(value_[c], kFloats, packet.blend[c]);
+    }
+    void goOn(const Packet& packet)
+    {
+        for (std::size_t c = 0; c < 4; ++c)
+            value_[c] = hn::Load(kFloats, packet.blend[c]);
+    }
+
     HWY_INLINE Floats left(Floats count) const { return count; }
     PixelLanes result() const { return {{value_[0], value_[1], value_[2], value_[3]}, value_[3]}; }
 
@@ -343,6 +383,9 @@ public:
         const Floats raw = source.raw();
         raw_ = hn::IfThenElse(active, most_ ? hn::Max(raw_, raw) : hn::Min(raw_, raw), raw_);
     }
+
+    void keep(Packet& packet) const { hn::Store(raw_, kFloats, packet.blend[0]); }
+    void goOn(const Packet& packet) { raw_ = hn::Load(kFloats, packet.blend[0]); }
 
     HWY_INLINE Floats left(Floats count) const { return count; }
 
@@ -432,8 +475,9 @@ private:
     Mask forward_[3];
 };
 
+/// Takes the packet's samples that lie before plane number `end`.
 template <class Sampler, class Shade, class Blend>
-PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
+void walk(const RayJob& job, const Shade& shade, float end, Packet& packet)
 {
     const GridLanes grid(job.grid);
     const Sampler sampler(job.grid);
@@ -441,6 +485,7 @@ PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
     const bool leaping =
         std::is_same_v<Blend, Extreme> ? job.blockRanges != nullptr : job.blockDistance != nullptr;
     Blend blend(job, packet);
+    blend.goOn(packet);
     Floats start[3], step[3];
     for (int axis = 0; axis < 3; ++axis) {
         start[axis] = hn::Load(kFloats, packet.start[axis]);
@@ -448,7 +493,10 @@ PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
     }
     const Floats one = hn::Set(kFloats, 1.0f);
     Floats count = hn::Load(kFloats, packet.count);
-    for (Floats sample = hn::Zero(kFloats); !hn::AllFalse(kFloats, sample < count);) {
+    const Floats first = hn::Load(kFloats, packet.first);
+    const Floats bound = hn::Set(kFloats, end) - first;
+    Floats sample = hn::Load(kFloats, packet.sample);
+    while (!hn::AllFalse(kFloats, sample < hn::Min(count, bound))) {
         if (leaping) {
             Ints place[3];
             for (int axis = 0; axis < 3; ++axis)
@@ -471,7 +519,11 @@ PixelLanes walk(const RayJob& job, const Packet& packet, const Shade& shade)
             blend.add(Fragments<Sampler, Shade>(sampler, shade, at[i], raw[i]), sample < count);
         count = blend.left(count);
     }
-    return blend.result();
+    blend.keep(packet);
+    hn::Store(sample, kFloats, packet.sample);
+    hn::Store(count, kFloats, packet.count);
+    const Floats never = hn::Set(kFloats, std::numeric_limits<float>::infinity());
+    packet.next = hn::GetLane(hn::MinOfLanes(kFloats, hn::IfThenElse(sample < count, first + sample, never)));
 }
 
 /// The pixels of a packet that lie in the tile.
@@ -493,18 +545,36 @@ void store(const RayJob& job, const PixelRectangle& tile, int x, int y, const Pi
     }
 }
 
+/// All packets of a tile go a few planes before any goes on: neighbours read the same voxels, while these are
+/// near.
 template <class Sampler, class Shade, class Blend>
 void walkTile(const RayJob& job, const PixelRectangle& tile)
 {
     const Shade shade(*job.shading, job.grid.rawUnit);
-    Packet packet;
-    for (int y = tile.bottom; y < tile.top; y += kPacketHeight)
-        for (int x = tile.left; x < tile.right; x += kPacketWidth) {
-            setPacket(job, tile, x, y, packet);
-            store(job, tile, x, y,
-                  packet.empty ? Blend(job, packet).result()
-                               : walk<Sampler, Shade, Blend>(job, packet, shade));
+    Packet packets[kTilePackets];
+    const int columns = (tile.width() + kPacketWidth - 1) / kPacketWidth;
+    const int count = columns * ((tile.height() + kPacketHeight - 1) / kPacketHeight);
+    const auto xOf = [&](int i) { return tile.left + i % columns * kPacketWidth; };
+    const auto yOf = [&](int i) { return tile.bottom + i / columns * kPacketHeight; };
+    float next = std::numeric_limits<float>::infinity();
+    for (int i = 0; i < count; ++i) {
+        setPacket(job, tile, xOf(i), yOf(i), packets[i]);
+        Blend(job, packets[i]).keep(packets[i]);
+        next = std::min(next, packets[i].next);
+    }
+    while (next < static_cast<float>(job.frame->count)) {
+        const float end = next + kSlab;
+        next = std::numeric_limits<float>::infinity();
+        for (int i = 0; i < count; ++i) {
+            if (packets[i].next < end) walk<Sampler, Shade, Blend>(job, shade, end, packets[i]);
+            next = std::min(next, packets[i].next);
         }
+    }
+    for (int i = 0; i < count; ++i) {
+        Blend blend(job, packets[i]);
+        blend.goOn(packets[i]);
+        store(job, tile, xOf(i), yOf(i), blend.result());
+    }
 }
 
 template <class Sampler>

@@ -13,6 +13,9 @@ namespace vo {
 /// Rays of less than this transmittance end: what lies behind would change a channel by less.
 constexpr float kLeastTransmittance = 1.0f / 2048.0f;
 
+/// Edge of the tiles that pictures are made in, pixels.
+constexpr int kTile = 32;
+
 /// All that the rays of one picture share.
 struct RayJob
 {
@@ -33,7 +36,8 @@ struct RayJob
     CastPicture* picture = nullptr;
 };
 
-/// Walks the rays of a part of the picture, which has the size and the place of frame->pixels.
+/// Walks the rays of a part of the picture, at most kTile pixels wide and high. The picture has the size and
+/// the place of frame->pixels.
 void walkRays(const RayJob& job, const PixelRectangle& tile);
 
 } // namespace vo
