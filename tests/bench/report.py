@@ -86,8 +86,10 @@ def markdown(results):
 
 def conditions(results):
     machine, noise = results["machine"], results["noise"]
+    rounds = sorted({job["rounds"] for job in results["jobs"]})
+    counted = f"{rounds[0]} to {rounds[-1]}" if len(rounds) > 1 else f"{rounds[0]}"
     return (f"{results['date']}, {machine['processor']}, {machine['cores']} cores, {machine['system']}; "
-            f"{results['rounds']} rounds. {noise_line(noise)}")
+            f"{counted} rounds a job. {noise_line(noise)}")
 
 
 def noise_line(noise):
