@@ -138,6 +138,7 @@ public:
     GLuint vertexArray = 0;
     GLuint vertexBuffer = 0;
     GLuint indexBuffer = 0;
+    std::uint64_t sentVertices = 0; ///< serial of what both buffers hold, 0: of none
     GLuint tableTexture = 0;
     std::uint64_t tableTextureSerial = 0;
     std::uint64_t downloads = 0; ///< textures sent so far

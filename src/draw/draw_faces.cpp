@@ -96,9 +96,10 @@ void pointAt(const GladGLContext& gl, GLuint attribute, int offset, int channels
                            reinterpret_cast<const void*>(static_cast<std::size_t>(offset) * sizeof(float)));
 }
 
-/// Binds the context's own vertex array and buffers and fills them; storage is orphaned each time.
+/// Binds the context's own vertex array and buffers and fills them, in new storage, unless they hold what has
+/// this serial; 0 is nobody's.
 void sendVertices(ContextRecord& context, const RecordLayout& layout, std::span<const float> records,
-                  std::span<const std::uint32_t> indices)
+                  std::span<const std::uint32_t> indices, std::uint64_t serial)
 {
     const GladGLContext& gl = context.gl;
     if (context.vertexArray == 0) {
@@ -108,11 +109,15 @@ void sendVertices(ContextRecord& context, const RecordLayout& layout, std::span<
     }
     gl.BindVertexArray(context.vertexArray);
     gl.BindBuffer(GL_ARRAY_BUFFER, context.vertexBuffer);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(records.size_bytes()), records.data(),
-                  GL_STREAM_DRAW);
+    const bool held = serial != 0 && context.sentVertices == serial;
+    context.sentVertices = serial;
+    if (!held)
+        gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(records.size_bytes()), records.data(),
+                      GL_STREAM_DRAW);
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, context.indexBuffer);
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
-                  GL_STREAM_DRAW);
+    if (!held)
+        gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(),
+                      GL_STREAM_DRAW);
     pointAt(gl, kPosition, layout.position(), 3, layout.values);
     pointAt(gl, kColor, layout.color, layout.colorChannels, layout.values);
     pointAt(gl, kTexCoord, layout.texCoord, 3, layout.values);
@@ -163,7 +168,7 @@ void drawFaces(ContextRecord& context, const DrawState& state, const RecordLayou
     const ScopedDrawState scope(context.gl, state.voxelUnit, state.tableUnit);
     context.gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(state.voxelUnit));
     useProgram(context, state, layout);
-    sendVertices(context, layout, records, indices);
+    sendVertices(context, layout, records, indices, 0);
     context.gl.DrawElements(primitive, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
 }
 
@@ -177,7 +182,7 @@ void drawSegments(ContextRecord& context, const DrawState& state, std::span<cons
     plain.texturing = Texturing::none;
     const ScopedDrawState scope(context.gl, state.voxelUnit, state.tableUnit);
     useProgram(context, plain, RecordLayout{});
-    sendVertices(context, RecordLayout{}, positions, indices);
+    sendVertices(context, RecordLayout{}, positions, indices, 0);
     context.gl.DrawElements(GL_LINES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
 }
 
@@ -189,11 +194,12 @@ struct FaceStream::Private
 };
 
 FaceStream::FaceStream(ContextRecord& context, const DrawState& state, const RecordLayout& layout,
-                       std::span<const float> records, std::span<const std::uint32_t> indices)
+                       std::span<const float> records, std::span<const std::uint32_t> indices,
+                       std::uint64_t serial)
     : d(new Private{context, layout, ScopedDrawState(context.gl, state.voxelUnit, state.tableUnit)})
 {
     context.gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(state.voxelUnit));
-    sendVertices(context, layout, records, indices);
+    sendVertices(context, layout, records, indices, serial);
 }
 
 FaceStream::~FaceStream() = default;

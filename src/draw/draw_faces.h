@@ -36,9 +36,10 @@ void drawSegments(ContextRecord& context, const DrawState& state, std::span<cons
 class FaceStream
 {
 public:
-    /// `records` and `indices` (of triangles) are sent now.
+    /// `records` and `indices` (of triangles) are sent now, unless they are the last that were: those of the
+    /// same `serial`, which is not 0.
     FaceStream(ContextRecord& context, const DrawState& state, const RecordLayout& layout,
-               std::span<const float> records, std::span<const std::uint32_t> indices);
+               std::span<const float> records, std::span<const std::uint32_t> indices, std::uint64_t serial);
     ~FaceStream();
     FaceStream(const FaceStream&) = delete;
     FaceStream& operator=(const FaceStream&) = delete;

@@ -119,7 +119,8 @@ struct FrameTriangles
     bool bricksInterleave = false;       ///< runs have an order already
     int samples = 0;
     bool anew = true;
-    Camera camera; ///< for which they were made
+    std::uint64_t serial = 0; ///< of records and indices
+    Camera camera;            ///< for which they were made
 };
 
 FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& request, const Camera& camera,
@@ -134,6 +135,7 @@ FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& 
                 triangles.runs.push_back({run.brick, run.first, run.count});
             triangles.samples = cache.leaping.samples();
             triangles.anew = !cache.leaping.kept();
+            triangles.serial = cache.leaping.serial();
             triangles.camera = camera;
             return triangles;
         }
@@ -145,6 +147,7 @@ FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& 
     triangles.runs.assign(polygons.runs().begin(), polygons.runs().end());
     triangles.bricksInterleave = polygons.bricksInterleave();
     triangles.samples = polygons.samples();
+    triangles.serial = polygons.serial();
     triangles.camera = polygons.camera();
     return triangles;
 }
@@ -153,7 +156,7 @@ FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, cons
                        DrawState state, PhaseClock& clock)
 {
     const glm::mat4 callerTextureMatrix = state.textureMatrix;
-    FaceStream stream(context, state, request.layout, triangles.records, triangles.indices);
+    FaceStream stream(context, state, request.layout, triangles.records, triangles.indices, triangles.serial);
     for (const PolygonCache::Run& run : triangles.runs) {
         const auto brick = static_cast<std::size_t>(run.brick);
         clock.end(&FrameTimes::draw);

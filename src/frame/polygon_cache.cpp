@@ -1,5 +1,7 @@
 #include "frame/polygon_cache.h"
 
+#include "core/serial.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -101,6 +103,7 @@ bool PolygonCache::update(const PolygonRequest& request, double threshold)
                               bricksInterleave_ ? StackOrder::bySample : StackOrder::byBrick, 0, stack_)
                        .samples;
     valid_ = true;
+    serial_ = newSerial();
     return true;
 }
 

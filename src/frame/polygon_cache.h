@@ -50,6 +50,8 @@ public:
     /// then runs are a brick and a sample each, farthest first, to be drawn as they come.
     bool bricksInterleave() const { return bricksInterleave_; }
     int samples() const { return samples_; }
+    /// Of the polygons as they are; others have another.
+    std::uint64_t serial() const { return serial_; }
     /// For which the polygons were made; the view may have turned since.
     const Camera& camera() const { return keyCamera_; }
 
@@ -72,6 +74,7 @@ private:
     void sortIntoBins(std::size_t brickCount, int samples);
 
     bool valid_ = false;
+    std::uint64_t serial_ = 0;
     int valuesPerVertex_ = 0;
     int voxelColumn_ = -1;
     std::vector<float> keyRecords_;

@@ -1,5 +1,6 @@
 #include "frame/space_leaping.h"
 
+#include "core/serial.h"
 #include "frame/frame.h"
 #include "geometry/convex_set.h"
 #include "lookup/visible_values.h"
@@ -16,6 +17,14 @@ namespace {
 
 /// Where more of the cells are occupied, the slices as they are cost no more.
 constexpr double kMostOccupied = 0.75;
+/// What a voxel's length of a triangle's edge costs beside a voxel's square of its area: rasterisers shade
+/// whole blocks of pixels, 4 x 4 in Mesa's software, 2 x 2 in hardware, and drop those outside.
+constexpr double kEdgeOnProcessor = 2.0;
+constexpr double kEdgeOnGraphicsCard = 0.5;
+/// Slices have to cost less than this part of what they cost whole.
+constexpr double kLeastGain = 0.95;
+/// Frames without a gain after which it is tried again: the view may have turned.
+constexpr int kFramesToPass = 15;
 /// Larger sets of tetrahedra are not asked whether they fill a box: it takes too long.
 constexpr int kMostTetras = 4096;
 
@@ -96,10 +105,24 @@ const OccupiedSlices* SpaceLeaping::slices(const ContextRecord& context, const F
     kept_ =
         sliced_ && samePlanes(planes, planes_) && std::ranges::equal(keyBoxes_, request.clipBoxes, sameBox);
     if (kept_) return &slices_;
+    if (framesToPass_ > 0) {
+        --framesToPass_;
+        return nullptr;
+    }
     planes_ = planes;
+    serial_ = newSerial();
     keyBoxes_.assign(request.clipBoxes.begin(), request.clipBoxes.end());
     sliced_ = slicer_.slice(*domain_, request.clipBoxes, cells_, planes, slices_);
-    return sliced_ ? &slices_ : nullptr;
+    if (sliced_ && costsLess(context)) return &slices_;
+    sliced_ = false;
+    framesToPass_ = kFramesToPass;
+    return nullptr;
+}
+
+bool SpaceLeaping::costsLess(const ContextRecord& context) const
+{
+    const double edge = context.quirks.drawsOnProcessor ? kEdgeOnProcessor : kEdgeOnGraphicsCard;
+    return slices_.area + edge * slices_.perimeter < kLeastGain * slices_.wholeArea;
 }
 
 bool SpaceLeaping::findDomain(const TetraView& tetras)
@@ -110,6 +133,7 @@ bool SpaceLeaping::findDomain(const TetraView& tetras)
     keyRecords_.assign(tetras.records.begin(), tetras.records.end());
     keyIndices_.assign(tetras.indices.begin(), tetras.indices.end());
     sliced_ = false;
+    framesToPass_ = 0;
     domain_ = filledBox(tetras);
     return domain_.has_value();
 }
@@ -152,6 +176,7 @@ bool SpaceLeaping::findOccupied(const ContextRecord& context, const FrameRequest
     std::ranges::copy(tables, keyTables_);
     rangesChanged_ = false;
     sliced_ = false;
+    framesToPass_ = 0;
     markOccupied(rule->visible);
     return true;
 }

@@ -31,6 +31,8 @@ public:
     /// Whether the last slices are those of the frame before.
     bool kept() const { return kept_; }
     int samples() const { return planes_.count; }
+    /// Of the last slices; others have another.
+    std::uint64_t serial() const { return serial_; }
 
 private:
     struct KnownBrick
@@ -42,6 +44,7 @@ private:
         CellRanges ranges;
     };
 
+    bool costsLess(const ContextRecord& context) const;
     bool findDomain(const TetraView& tetras);
     bool findRanges(const FrameRequest& request, VoxelComponent component);
     bool findOccupied(const ContextRecord& context, const FrameRequest& request);
@@ -56,8 +59,10 @@ private:
     std::uint64_t keyTables_[2] = {0, 0};
     OccupiedCells cells_;
     bool pays_ = false;
+    int framesToPass_ = 0; ///< before it is tried again whether less is drawn
 
     bool sliced_ = false;
+    std::uint64_t serial_ = 0;
     bool kept_ = false;
     std::vector<Box> keyBoxes_;
     PlaneFamily planes_;

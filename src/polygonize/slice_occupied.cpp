@@ -1,5 +1,7 @@
 #include "polygonize/slice_occupied.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,6 +49,7 @@ bool OccupiedSlicer::slice(const Box& domain, std::span<const Box> clipBoxes, co
     slices.positions.clear();
     slices.indices.clear();
     slices.runs.clear();
+    slices.area = slices.perimeter = slices.wholeArea = 0.0;
     normal_ = planes.normal;
     w_ = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -71,7 +74,25 @@ bool OccupiedSlicer::slice(const Box& domain, std::span<const Box> clipBoxes, co
         slices.runs.push_back({static_cast<int>(brick), slices.indices.size(), indices_[brick].size()});
         slices.indices.insert(slices.indices.end(), indices_[brick].begin(), indices_[brick].end());
     }
+    measure(planes);
     return true;
+}
+
+void OccupiedSlicer::measure(const PlaneFamily& planes)
+{
+    OccupiedSlices& s = *slices_;
+    const auto corner = [&s](std::uint32_t vertex) {
+        const float* p = s.positions.data() + 3 * std::size_t{vertex};
+        return glm::dvec3(p[0], p[1], p[2]);
+    };
+    for (std::size_t i = 0; i < s.indices.size(); i += 3) {
+        const glm::dvec3 a = corner(s.indices[i]), b = corner(s.indices[i + 1]), c = corner(s.indices[i + 2]);
+        s.area += 0.5 * glm::length(glm::cross(b - a, c - a));
+        s.perimeter += glm::distance(a, b) + glm::distance(b, c) + glm::distance(c, a);
+    }
+    // Slabs of one plane each fill the box.
+    const glm::dvec3 size = upper_ - lower_;
+    s.wholeArea = size.x * size.y * size.z * glm::length(planes.normal) / planes.spacing;
 }
 
 /// False: the domain and the boxes do not meet.

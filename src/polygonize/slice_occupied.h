@@ -35,6 +35,10 @@ struct OccupiedSlices
     std::vector<float> positions; ///< three a vertex
     std::vector<std::uint32_t> indices;
     std::vector<Run> runs;
+
+    double area = 0.0;      ///< of all triangles, voxels squared
+    double perimeter = 0.0; ///< of all triangles, voxels
+    double wholeArea = 0.0; ///< of the planes, if nothing were left out
 };
 
 /// Slices a box of voxels where its cells are occupied. Within a plane, rectangles over the two axes that the
@@ -90,6 +94,7 @@ private:
     void clipDepth(double face, bool keepAbove, const std::vector<Corner>& in,
                    std::vector<Corner>& out) const;
     void emit(const std::vector<Corner>& polygon, std::size_t row, std::size_t column, int interval);
+    void measure(const PlaneFamily& planes);
     std::uint32_t appendMiddle(std::span<const std::uint32_t> vertices);
 
     BoxLattice lattice_;

@@ -168,12 +168,12 @@ void main() { gl_Position = clipFromObject * vec4(position, 1.0); coordinate = p
 constexpr const char* kBareFragment = R"(#version 330 core
 in vec3 coordinate;
 uniform sampler3D voxels;
-uniform sampler2D table;
+uniform sampler1D table;
 layout(location = 0) out vec4 fragment;
 void main()
 {
     float v = texture(voxels, coordinate).r;
-    fragment = texture(table, vec2(v * (255.0 / 256.0) + 0.5 / 256.0, 0.5));
+    fragment = texture(table, v * (255.0 / 256.0) + 0.5 / 256.0);
 }
 )";
 
@@ -202,7 +202,7 @@ public:
         gl_.Uniform1f(gl_.GetUniformLocation(program_, "size"), static_cast<float>(size_));
         gl_.Uniform1i(gl_.GetUniformLocation(program_, "table"), 1);
         gl_.ActiveTexture(GL_TEXTURE1);
-        gl_.BindTexture(GL_TEXTURE_2D, table_);
+        gl_.BindTexture(GL_TEXTURE_1D, table_);
         gl_.ActiveTexture(GL_TEXTURE0);
         gl_.BindTexture(GL_TEXTURE_3D, voxels_);
         gl_.BindVertexArray(vertexArray_);
@@ -241,10 +241,9 @@ private:
         gl_.TexImage3D(GL_TEXTURE_3D, 0, GL_R16, size_, size_, size_, 0, GL_RED, GL_UNSIGNED_BYTE,
                        voxels.data());
         gl_.GenTextures(1, &table_);
-        gl_.BindTexture(GL_TEXTURE_2D, table_);
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 256, 1, 0, GL_RGBA, GL_FLOAT,
-                       colourTable(opacity).data());
-        for (const GLenum target : {GL_TEXTURE_2D, GL_TEXTURE_3D}) {
+        gl_.BindTexture(GL_TEXTURE_1D, table_);
+        gl_.TexImage1D(GL_TEXTURE_1D, 0, GL_RGBA32F, 256, 0, GL_RGBA, GL_FLOAT, colourTable(opacity).data());
+        for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_3D}) {
             for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
                 gl_.TexParameteri(target, name, GL_LINEAR);
             for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
@@ -308,6 +307,7 @@ struct Case
     std::vector<double> wall;
     std::vector<double> cpu;
     std::vector<float> picture;
+    GLuint fragments = 0;
 };
 
 double median(std::vector<double> values)
@@ -334,13 +334,20 @@ public:
 
     void add(const std::string& name, const std::function<std::function<void(int)>()>& make)
     {
-        if (name.find(pattern_) != std::string::npos) cases_.push_back({name, make(), {}, {}, {}});
+        if (name.find(pattern_) != std::string::npos) cases_.push_back({name, make(), {}, {}, {}, 0});
     }
 
     void run(int rounds)
     {
         for (Case& c : cases_) {
+            const GladGLContext& gl = context_.gl();
+            GLuint query = 0;
+            gl.GenQueries(1, &query);
+            gl.BeginQuery(GL_SAMPLES_PASSED, query);
             frame(c, 0);
+            gl.EndQuery(GL_SAMPLES_PASSED);
+            gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &c.fragments);
+            gl.DeleteQueries(1, &query);
             c.picture = context_.readFloats();
         }
         for (int round = 1; round <= rounds; ++round)
@@ -351,8 +358,9 @@ public:
                 c.cpu.push_back(seconds(CLOCK_PROCESS_CPUTIME_ID) - cpu);
             }
         for (const Case& c : cases_)
-            std::printf("%-34s %8.2f ms wall %8.2f ms CPU   x%.3f   off %.2e\n", c.name.c_str(),
-                        1e3 * median(c.wall), 1e3 * median(c.cpu), median(c.cpu) / median(cases_[0].cpu),
+            std::printf("%-34s %8.2f ms wall %8.2f ms CPU   x%.3f   %5.2f M fragments   off %.2e\n",
+                        c.name.c_str(), 1e3 * median(c.wall), 1e3 * median(c.cpu),
+                        median(c.cpu) / median(cases_[0].cpu), 1e-6 * c.fragments,
                         worstDifference(c.picture, cases_[0].picture));
     }
 

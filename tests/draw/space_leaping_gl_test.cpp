@@ -223,6 +223,21 @@ TEST_F(SpaceLeapingGL, happensOnlyWhereAClearFragmentLeavesNoTrace)
     expectWhole();
 }
 
+TEST_F(SpaceLeapingGL, keptSlicesAreThereAfterOtherDraws)
+{
+    open();
+    const Frame first = frame();
+    EXPECT_EQ(frame().picture, first.picture) << "kept";
+    Field other = ballField({50, 50, 50});
+    Scene otherScene = scene;
+    otherScene.volume = &other;
+    SceneDrawing otherDrawing(*context, otherScene, options);
+    otherDrawing.draw(scene.view);
+    EXPECT_EQ(frame().picture, first.picture) << "after another volume";
+    voGeometryActions::draw(drawing->volume().getCurrentBrickSet());
+    EXPECT_EQ(frame().picture, first.picture) << "after outlines";
+}
+
 TEST_F(SpaceLeapingGL, doesNotHappenToVolumesOutOfPlace)
 {
     options.explicitTexCoords = true;

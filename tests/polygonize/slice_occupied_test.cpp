@@ -178,6 +178,10 @@ TEST_P(OccupiedSlices, ofFullCellsAreThePlanesThemselves)
         const int times = timesCovered(plane, p);
         EXPECT_TRUE(times == 1 || times == -1);
     });
+    EXPECT_NEAR(slices_.area / slices_.wholeArea, 1.0, 0.03);
+    slice(3, someCells(1, 0.1));
+    EXPECT_LT(slices_.area / slices_.wholeArea, 0.8);
+    EXPECT_GT(slices_.perimeter * slices_.perimeter, 16.0 * slices_.area) << "more than one square has";
 }
 
 TEST_P(OccupiedSlices, lieInTheirPlaneAndTheirBrickAndRunCounterclockwise)
