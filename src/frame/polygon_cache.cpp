@@ -124,7 +124,7 @@ bool PolygonCache::sliceAsOneBody(const PolygonRequest& request)
     const SamplingRequest& sampling = request.sampling;
     if (sampling.space == SamplingSpace::primitive || request.tetras.valuesPerVertex != 3) return false;
     boxes_.assign(request.clipBoxes);
-    if (!boxesStandApart(boxes_) || !body(request.tetras)) return false;
+    if (!boxes_.standApart() || !body(request.tetras)) return false;
     const SamplingAxis axis = samplingAxis(request.tetras, request.camera, sampling);
     const PlaneFamily planes = samplingPlanes(request.tetras, axis, request.camera, sampling);
     convexSlicer_.slice(*body_, boundsOf(request.tetras), planes, axis.set.nearest, boxes_, stack_);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <tuple>
 
 namespace vo {
@@ -69,6 +70,10 @@ void BoxLattice::findIntervals(int axis)
     intervals.erase(std::unique(intervals.begin(), intervals.end(), equal), intervals.end());
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    auto& overlapping = overlapping_[static_cast<std::size_t>(axis)];
+    overlapping = false;
+    for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
+        overlapping = overlapping || intervals[i + 1].lower < intervals[i].upper;
 
     for (std::size_t i = 0; i < intervals.size(); ++i)
         for (std::size_t j = i + 1; j < intervals.size() && intervals[i].next < 0; ++j)
@@ -108,28 +113,28 @@ void BoxLattice::snap(CutPolygon& polygon) const
     }
 }
 
+bool BoxLattice::standApart() const
+{
+    return std::ranges::none_of(overlapping_, std::identity{});
+}
+
 double BoxLattice::snapped(int axis, double coordinate) const
 {
     return nearestFace(coordinate, faces_[static_cast<std::size_t>(axis)]);
 }
 
-int BoxLattice::intervalAround(int axis, double low, double high) const
+int BoxLattice::intervalAt(int axis, double coordinate) const
 {
     const auto& faces = faces_[static_cast<std::size_t>(axis)];
     const auto& intervals = intervals_[static_cast<std::size_t>(axis)];
-    if (faces.empty() || high < faces.front() - kSnapDistance || low > faces.back() + kSnapDistance)
-        return kOutside;
-    int found = kAcross;
-    for (std::size_t i = 0; i < intervals.size(); ++i) {
-        if (!(intervals[i].lower < low - kSnapDistance && intervals[i].upper > high + kSnapDistance))
-            continue;
-        if (found >= 0) return kAcross;
-        found = static_cast<int>(i);
-    }
-    if (found < 0) return kAcross;
-    // A smaller interval may lie inside this one.
-    const auto face = std::upper_bound(faces.begin(), faces.end(), low - kSnapDistance);
-    return face != faces.end() && *face < high + kSnapDistance ? kAcross : found;
+    if (faces.empty() || coordinate < faces.front() - kSnapDistance) return kBelow;
+    if (coordinate > faces.back() + kSnapDistance) return kAbove;
+    if (overlapping_[static_cast<std::size_t>(axis)]) return kNearFace;
+    for (std::size_t i = 0; i < intervals.size() && intervals[i].lower < coordinate; ++i)
+        if (intervals[i].lower < coordinate - kSnapDistance &&
+            intervals[i].upper > coordinate + kSnapDistance)
+            return static_cast<int>(i);
+    return kNearFace;
 }
 
 } // namespace vo

@@ -39,17 +39,21 @@ public:
     /// The boxes of a cell: one, none, or several equal ones.
     std::span<const Entry> boxes(const Cell& cell) const;
 
+    /// True when intervals of an axis overlap nowhere, so that boxes do so only by being equal.
+    bool standApart() const;
+
     /// Coordinates closer to a face of any box than rounding and single precision can tell take the face's
     /// own.
     void snap(CutPolygon& polygon) const;
     /// A coordinate on an axis, or the face that close to it.
     double snapped(int axis, double coordinate) const;
 
-    /// The interval inside which a range of coordinates lies, farther from its ends than coordinates are
-    /// drawn to faces.
-    static constexpr int kAcross = -1;  ///< it meets a face, or intervals overlap
-    static constexpr int kOutside = -2; ///< it lies outside all
-    int intervalAround(int axis, double low, double high) const;
+    /// The interval that a coordinate lies in, farther from any face than coordinates are drawn to faces; or
+    /// one of these.
+    static constexpr int kNearFace = -1; ///< or where intervals overlap, or between them
+    static constexpr int kBelow = -2;    ///< outside of all
+    static constexpr int kAbove = -3;
+    int intervalAt(int axis, double coordinate) const;
 
 private:
     std::uint64_t number(const Cell& cell) const;
@@ -57,6 +61,7 @@ private:
     int intervalOf(int axis, const Box& box) const;
 
     std::vector<Box> boxes_;
+    std::array<bool, 3> overlapping_{};
     std::array<std::vector<Interval>, 3> intervals_;
     std::array<std::vector<double>, 3> faces_; ///< sorted coordinates of all faces across an axis
     std::vector<Entry> entries_;               ///< sorted by cell, then box

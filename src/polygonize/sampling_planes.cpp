@@ -162,7 +162,7 @@ int firstPlaneInFront(const PlaneFamily& planes, double nearest, double offset)
         return plane > nearest ? offset >= plane : offset > plane;
     };
     const double guess = std::ceil((planes.first - offset) / planes.spacing);
-    int k = static_cast<int>(std::clamp(guess, 0.0, static_cast<double>(planes.count)));
+    int k = guess > 0.0 ? static_cast<int>(std::min(guess, static_cast<double>(planes.count))) : 0;
     while (k > 0 && inFront(k - 1))
         --k;
     while (k < planes.count && !inFront(k))

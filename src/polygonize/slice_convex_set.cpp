@@ -31,16 +31,6 @@ bool comesBefore(const glm::dvec3& a, const glm::dvec3& b)
 
 } // namespace
 
-bool boxesStandApart(const BoxLattice& lattice)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto intervals = lattice.intervals(axis);
-        for (std::size_t i = 0; i + 1 < intervals.size(); ++i)
-            if (intervals[i + 1].lower < intervals[i].upper) return false;
-    }
-    return true;
-}
-
 void ConvexSlicer::slice(const ConvexSet& set, const Box& bounds, const PlaneFamily& planes, double nearest,
                          const BoxLattice& boxes, PolygonStack& stack)
 {

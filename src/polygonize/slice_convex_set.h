@@ -14,9 +14,6 @@
 
 namespace vo {
 
-/// True when boxes of the lattice overlap nowhere but by being equal, as sliceConvexSet needs it.
-bool boxesStandApart(const BoxLattice& lattice);
-
 /// Slices a convex polyhedron as one body, for records of bare positions: a polygon for each plane and box
 /// where polygonize() makes one for each tetrahedron. Otherwise the same: boxes keep their lower faces,
 /// polygons run counterclockwise for the viewer, boxes share vertices bit for bit, and on the set's nearest
@@ -24,8 +21,8 @@ bool boxesStandApart(const BoxLattice& lattice);
 class ConvexSlicer
 {
 public:
-    /// `bounds` and `nearest`: of the set, as rangeOfSet says. The stack becomes one run a box, by number,
-    /// from the farthest plane to the nearest.
+    /// The boxes stand apart. `bounds` and `nearest`: of the set, as rangeOfSet says. The stack becomes one
+    /// run a box, by number, from the farthest plane to the nearest.
     void slice(const ConvexSet& set, const Box& bounds, const PlaneFamily& planes, double nearest,
                const BoxLattice& boxes, PolygonStack& stack);
 

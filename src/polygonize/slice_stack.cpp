@@ -23,6 +23,7 @@ namespace {
 /// Parts of the work that threads take one by one; the same for any number of them.
 constexpr std::size_t kTetrasInPart = 2048;
 constexpr std::size_t kMostParts = 64;
+constexpr std::size_t kVerticesInPart = 8192;
 /// Counters of all parts together.
 constexpr std::size_t kMostCounters = std::size_t{1} << 23;
 
@@ -35,6 +36,14 @@ struct Item
     std::uint32_t firstAside; ///< of the part's polygons kept aside
     std::uint32_t asideCount;
     bool mirrored; ///< its first two corners change places
+};
+
+/// What is known of a vertex: the planes, and the interval of boxes on each axis or what intervalAt() says.
+struct VertexPlace
+{
+    double offset;
+    std::int32_t firstInFront;
+    std::array<std::int32_t, 3> interval;
 };
 
 struct AsidePolygon
@@ -97,7 +106,8 @@ struct Job
     const SamplingRequest* own = nullptr;  ///< each tetrahedron has its own planes
     const SamplingAxis* ownAxis = nullptr; ///< of these
     std::size_t samples = 0;
-    PolygonStack* stack = nullptr; ///< where they are written
+    PolygonStack* stack = nullptr;       ///< where they are written
+    const VertexPlace* places = nullptr; ///< of all vertices
 
     std::size_t bins() const { return boxes.size() * samples; }
     std::size_t bin(int box, int sample) const
@@ -138,59 +148,71 @@ private:
     void lookAt(std::size_t tetra)
     {
         Item item{static_cast<std::uint32_t>(tetra), -1, {}, 0, 0, false};
+        std::array<const VertexPlace*, 4> places;
         std::array<glm::dvec3, 4> p;
-        for (std::size_t i = 0; i < 4; ++i)
-            p[i] = job_.tetras.position(job_.tetras.indices[4 * tetra + i]);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const int vertex = job_.tetras.indices[4 * tetra + i];
+            places[i] = job_.places + vertex;
+            p[i] = job_.tetras.position(vertex);
+            item.firstInFront[i] = places[i]->firstInFront;
+        }
+        if (job_.own) findOwnPlanes(tetra, p, item);
+        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
+        if (begin == end || !findBox(places, item)) return;
         const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0]));
         if (!(std::abs(volume) > 0.0) || !std::isfinite(volume)) return;
         item.mirrored = volume < 0.0;
-        if (item.mirrored) std::swap(p[0], p[1]);
-        const PlaneFamily planes = job_.planesOf(tetra);
-        for (std::size_t i = 0; i < 4; ++i)
-            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, glm::dot(planes.normal, p[i]));
-        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
-        if (begin == end || !findBox(tetra, item)) return;
+        if (item.mirrored) std::swap(item.firstInFront[0], item.firstInFront[1]);
         if (item.box >= 0)
-            count(item, begin, end);
+            count(item);
         else
-            cutAside(tetra, planes, item, begin, end);
+            cutAside(tetra, job_.planesOf(tetra), item, begin, end);
         *part_.items.grow(1) = item;
     }
 
-    /// False: the tetrahedron is outside of all boxes.
-    bool findBox(std::size_t tetra, Item& item) const
+    void findOwnPlanes(std::size_t tetra, const std::array<glm::dvec3, 4>& p, Item& item) const
     {
-        const int column =
-            job_.tetras.voxelColumn >= 0 ? job_.tetras.voxelColumn : job_.tetras.valuesPerVertex - 3;
-        BoxLattice::Cell cell{};
-        bool across = false;
-        for (int axis = 0; axis < 3; ++axis) {
-            const std::array<float, 4> c{
-                job_.corner(tetra, 0)[column + axis], job_.corner(tetra, 1)[column + axis],
-                job_.corner(tetra, 2)[column + axis], job_.corner(tetra, 3)[column + axis]};
-            const auto [low, high] = std::ranges::minmax(c);
-            const int interval = lattice_.intervalAround(axis, low, high);
-            if (interval == BoxLattice::kOutside) return false;
-            across = across || interval == BoxLattice::kAcross;
-            cell[static_cast<std::size_t>(axis)] = interval;
-        }
-        if (across) return true;
-        const auto boxes = lattice_.boxes(cell);
-        if (boxes.size() == 1) item.box = boxes.front().box;
-        return !boxes.empty();
+        const PlaneFamily planes = job_.planesOf(tetra);
+        for (std::size_t i = 0; i < 4; ++i)
+            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, glm::dot(planes.normal, p[i]));
     }
 
-    void count(const Item& item, int begin, int end)
+    /// False: the tetrahedron is outside of all boxes.
+    bool findBox(const std::array<const VertexPlace*, 4>& places, Item& item)
     {
-        const std::size_t first = job_.bin(item.box, begin), stride = job_.stride();
-        for (int k = begin; k < end; ++k) {
-            int inFront = 0;
-            for (const std::int32_t plane : item.firstInFront)
-                inFront += plane <= k;
-            const std::size_t bin = first + static_cast<std::size_t>(k - begin) * stride;
-            part_.records[bin] += inFront == 2 ? 4 : 3;
-            part_.indices[bin] += inFront == 2 ? 6 : 3;
+        BoxLattice::Cell cell{};
+        bool inside = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int32_t interval = places[0]->interval[axis];
+            const bool same = (places[1]->interval[axis] == interval) &
+                              (places[2]->interval[axis] == interval) &
+                              (places[3]->interval[axis] == interval);
+            if (same && (interval == BoxLattice::kBelow || interval == BoxLattice::kAbove)) return false;
+            inside = inside && same && interval >= 0;
+            cell[axis] = interval;
         }
+        if (!inside) return true;
+        if (cell != cell_) {
+            const auto boxes = lattice_.boxes(cell);
+            cell_ = cell;
+            boxesInCell_ = boxes.size();
+            box_ = boxes.empty() ? -1 : boxes.front().box;
+        }
+        if (boxesInCell_ == 1) item.box = box_;
+        return boxesInCell_ > 0;
+    }
+
+    void count(const Item& item)
+    {
+        std::array<std::int32_t, 4> changes = item.firstInFront;
+        std::ranges::sort(changes);
+        const std::size_t stride = job_.stride();
+        std::size_t bin = job_.bin(item.box, changes[0]);
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::int32_t k = changes[i]; k < changes[i + 1]; ++k, bin += stride) {
+                part_.records[bin] += i == 1 ? 4 : 3;
+                part_.indices[bin] += i == 1 ? 6 : 3;
+            }
     }
 
     /// Slices it plane by plane and lets the boxes cut the slices.
@@ -232,7 +254,21 @@ private:
     const Job& job_;
     const BoxLattice& lattice_;
     Part& part_;
+    BoxLattice::Cell cell_{-1, -1, -1}; ///< the last one asked for
+    std::size_t boxesInCell_ = 0;
+    int box_ = -1;
 };
+
+void placeVertex(const Job& job, const BoxLattice& lattice, std::size_t vertex, VertexPlace& place)
+{
+    const float* record = job.tetras.record(static_cast<int>(vertex));
+    const float* p = record + job.tetras.valuesPerVertex - 3;
+    const float* voxel = job.tetras.voxelColumn >= 0 ? record + job.tetras.voxelColumn : p;
+    place.offset = glm::dot(job.planes.normal, glm::dvec3(p[0], p[1], p[2]));
+    place.firstInFront = firstPlaneInFront(job.planes, job.nearest, place.offset);
+    for (int axis = 0; axis < 3; ++axis)
+        place.interval[static_cast<std::size_t>(axis)] = lattice.intervalAt(axis, voxel[axis]);
+}
 
 void writeAside(const Job& job, Part& part, const Item& item)
 {
@@ -263,9 +299,13 @@ void writePart(const Job& job, Part& part)
             writeAside(job, part, item);
             continue;
         }
-        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, item.firstInFront};
-        for (std::size_t i = 0; i < 4; ++i)
-            tetra.corners[i] = job.corner(item.tetra, item.mirrored && i < 2 ? 1 - i : i);
+        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, {}, item.firstInFront};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t from = item.mirrored && i < 2 ? 1 - i : i;
+            const int vertex = job.tetras.indices[4 * item.tetra + from];
+            tetra.corners[i] = job.tetras.record(vertex);
+            tetra.offsets[i] = job.places[vertex].offset;
+        }
         const std::size_t bin = job.bin(item.box, 0);
         const SliceTarget target{stack.records.data(), stack.indices.data(), part.records.data() + bin,
                                  part.indices.data() + bin, job.stride()};
@@ -290,7 +330,22 @@ struct StackSlicer::Private
     BoxLattice lattice;
     std::vector<std::unique_ptr<Part>> parts;
 
+    KeptArray<VertexPlace> places;
+
     PolygonizeResult slice(Job& job, int threads, PolygonStack& stack);
+
+    void placeVertices(Job& job, int threads)
+    {
+        places.resize(job.tetras.records.size() / static_cast<std::size_t>(job.tetras.valuesPerVertex));
+        job.places = places.data();
+        const std::size_t vertices = places.size();
+        parallelFor((vertices + kVerticesInPart - 1) / kVerticesInPart, threads,
+                    [this, &job](std::size_t part) {
+                        const std::size_t end = std::min((part + 1) * kVerticesInPart, places.size());
+                        for (std::size_t vertex = part * kVerticesInPart; vertex < end; ++vertex)
+                            placeVertex(job, lattice, vertex, places[vertex]);
+                    });
+    }
     std::span<const std::unique_ptr<Part>> divide(const Job& job)
     {
         const auto tetras = static_cast<std::size_t>(job.tetras.tetraCount());
@@ -375,6 +430,7 @@ PolygonizeResult StackSlicer::Private::slice(Job& job, int threads, PolygonStack
     if (job.bins() == 0) return result;
     lattice.assign(job.boxes);
     const auto used = divide(job);
+    placeVertices(job, threads);
     // Closures of two words: others would be put into memory of their own.
     parallelFor(used.size(), threads, [this, &job](std::size_t i) {
         parts[i]->cutter.assign(job.boxes);

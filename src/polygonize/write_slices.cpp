@@ -24,8 +24,9 @@ constexpr DoubleTag kDoubles;
 constexpr hn::Rebind<float, DoubleTag> kFloats;
 constexpr int kLanes = static_cast<int>(HWY_LANES(double) < 8 ? HWY_LANES(double) : 8);
 
-/// Planes that go together.
-constexpr int kBlock = 8;
+/// Planes that are dealt with before the next ones; edges may be cut by a few more.
+constexpr int kBlock = 64;
+constexpr int kRow = kBlock + 8;
 /// Edges by their two corners.
 constexpr int kEdges = 6;
 constexpr int kEdgeOf[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 5, 0}};
@@ -35,48 +36,33 @@ struct CutLine
     const float* from; ///< the end that comes first, by position, then by the rest
     const float* to;
     double fromOffset, toOffset;
-    int begin, end; ///< planes between the ends
 };
 
 HWY_INLINE bool comesBefore(const float* a, const float* b, int values)
 {
-    for (int i = values - 3; i < values; ++i)
-        if (a[i] != b[i]) return a[i] < b[i];
-    for (int i = 0; i < values - 3; ++i)
-        if (a[i] != b[i]) return a[i] < b[i];
-    return false;
+    const float *p = a + values - 3, *q = b + values - 3;
+    const bool same = (p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2]);
+    if (HWY_UNLIKELY(same)) return std::lexicographical_compare(a, a + values - 3, b, b + values - 3);
+    return (p[0] < q[0]) | ((p[0] == q[0]) & ((p[1] < q[1]) | ((p[1] == q[1]) & (p[2] < q[2]))));
 }
 
-HWY_INLINE int findLines(const TetraToSlice& tetra, const PlaneFamily& planes, CutLine* lines)
+HWY_INLINE CutLine lineBetween(const TetraToSlice& tetra, std::size_t a, std::size_t b)
 {
-    double offsets[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-        const float* p = tetra.corners[i] + tetra.values - 3;
-        offsets[i] = planes.normal.x * p[0] + planes.normal.y * p[1] + planes.normal.z * p[2];
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = a + 1; b < 4; ++b) {
-            const bool swapped = comesBefore(tetra.corners[b], tetra.corners[a], tetra.values);
-            const std::size_t from = swapped ? b : a, to = swapped ? a : b;
-            lines[kEdgeOf[a][b]] = {tetra.corners[from],
-                                    tetra.corners[to],
-                                    offsets[from],
-                                    offsets[to],
-                                    std::min(tetra.firstInFront[a], tetra.firstInFront[b]),
-                                    std::max(tetra.firstInFront[a], tetra.firstInFront[b])};
-        }
-    return kEdges;
+    const bool swapped = comesBefore(tetra.corners[b], tetra.corners[a], tetra.values);
+    const std::size_t from = swapped ? b : a, to = swapped ? a : b;
+    return {tetra.corners[from], tetra.corners[to], tetra.offsets[from], tetra.offsets[to]};
 }
 
-/// Where a line meets kBlock planes from `first` on, value by value.
+/// Where a line meets the planes from `begin` to `end`, and some more, in a row for each value.
 template <int kValues>
-HWY_INLINE void cutLine(const CutLine& line, const PlaneFamily& planes, int first, int values, float* out)
+HWY_INLINE void cutLine(const CutLine& line, const PlaneFamily& planes, int begin, int end, int values,
+                        float* rows)
 {
     const Doubles from = hn::Set(kDoubles, line.fromOffset), to = hn::Set(kDoubles, line.toOffset);
     const Doubles one = hn::Set(kDoubles, 1.0), zero = hn::Zero(kDoubles);
     const int count = kValues > 0 ? kValues : values;
-    for (int lane = 0; lane < kBlock; lane += kLanes) {
-        const Doubles number = hn::Iota(kDoubles, static_cast<double>(first + lane));
+    for (int plane = begin; plane < end; plane += kLanes) {
+        const Doubles number = hn::Iota(kDoubles, static_cast<double>(plane));
         const Doubles offset =
             hn::Sub(hn::Set(kDoubles, planes.first), hn::Mul(number, hn::Set(kDoubles, planes.spacing)));
         const Doubles a = hn::Sub(from, offset), b = hn::Sub(to, offset);
@@ -88,59 +74,84 @@ HWY_INLINE void cutLine(const CutLine& line, const PlaneFamily& planes, int firs
             const Doubles q = hn::Add(hn::Set(kDoubles, static_cast<double>(line.to[value])), zero);
             const Doubles met = hn::Add(p, hn::Mul(s, hn::Sub(q, p)));
             hn::StoreU(hn::DemoteTo(kFloats, hn::IfThenElse(atEnd, q, met)), kFloats,
-                       out + value * kBlock + lane);
+                       rows + value * kRow + plane - begin);
         }
     }
 }
 
-/// The polygon of one plane of a block.
-template <int kValues>
-HWY_INLINE void writePolygon(const TetraSection& section, const float* cuts, int lane, int values,
-                             std::size_t plane, const SliceTarget& target)
+/// The polygons of planes that meet the same edges. `cuts` holds the rows of each edge, from plane `block`
+/// on.
+template <int kValues, int kVertices>
+HWY_INLINE void writeRun(const TetraSection& section, const float* cuts, int block, int begin, int end,
+                         int values, const SliceTarget& target)
 {
     const int count = kValues > 0 ? kValues : values;
-    std::uint32_t& nextRecord = target.nextRecord[plane * target.stride];
-    std::size_t& nextIndex = target.nextIndex[plane * target.stride];
-    const std::uint32_t first = nextRecord;
-    float* record = target.records + static_cast<std::size_t>(first) * static_cast<std::size_t>(count);
-    for (int vertex = 0; vertex < section.count; ++vertex, record += count) {
+    const float* edges[kVertices];
+    for (int vertex = 0; vertex < kVertices; ++vertex) {
         const auto [a, b] = section.edges[static_cast<std::size_t>(vertex)];
-        const float* cut = cuts + kEdgeOf[a][b] * count * kBlock + lane;
-        for (int value = 0; value < count; ++value)
-            record[value] = cut[value * kBlock];
+        edges[vertex] = cuts + kEdgeOf[a][b] * count * kRow - block;
     }
-    std::uint32_t* index = target.indices + nextIndex;
-    index[0] = first + 1;
-    index[1] = first + 2;
-    index[2] = first;
-    if (section.count == 4) {
-        index[3] = first + 2;
-        index[4] = first + 3;
-        index[5] = first;
+    for (int k = begin; k < end; ++k) {
+        const std::size_t bin = static_cast<std::size_t>(k) * target.stride;
+        const std::uint32_t first = target.nextRecord[bin];
+        const std::size_t firstIndex = target.nextIndex[bin];
+        target.nextRecord[bin] = first + kVertices;
+        target.nextIndex[bin] = firstIndex + 3 * (kVertices - 2);
+        float* record = target.records + static_cast<std::size_t>(first) * static_cast<std::size_t>(count);
+        for (int vertex = 0; vertex < kVertices; ++vertex)
+            for (int value = 0; value < count; ++value)
+                *record++ = edges[vertex][value * kRow + k];
+        std::uint32_t* index = target.indices + firstIndex;
+        for (std::uint32_t triangle = 1; triangle + 1 < kVertices; ++triangle) {
+            *index++ = first + triangle;
+            *index++ = first + triangle + 1;
+            *index++ = first;
+        }
     }
-    nextRecord = first + static_cast<std::uint32_t>(section.count);
-    nextIndex += section.count == 4 ? 6 : 3;
 }
 
+HWY_INLINE void sortFour(std::array<int, 4>& k)
+{
+    const auto order = [&](std::size_t a, std::size_t b) {
+        const int low = std::min(k[a], k[b]), high = std::max(k[a], k[b]);
+        k[a] = low;
+        k[b] = high;
+    };
+    order(0, 1);
+    order(2, 3);
+    order(0, 2);
+    order(1, 3);
+    order(1, 2);
+}
+
+/// Between the planes at which one corner more comes in front the same edges are met.
 template <int kValues>
 HWY_INLINE void writeAll(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                          float* cuts)
 {
-    CutLine lines[kEdges];
-    findLines(tetra, planes, lines);
-    const auto [begin, end] = std::minmax_element(tetra.firstInFront.begin(), tetra.firstInFront.end());
-    for (int block = *begin; block < *end; block += kBlock) {
-        const int last = std::min(block + kBlock, *end);
-        for (int edge = 0; edge < kEdges; ++edge)
-            if (lines[edge].begin < last && lines[edge].end > block)
-                cutLine<kValues>(lines[edge], planes, block, tetra.values,
-                                 cuts + edge * tetra.values * kBlock);
-        for (int k = block; k < last; ++k) {
+    const std::array<int, 4>& first = tetra.firstInFront;
+    std::array<int, 4> changes = first;
+    sortFour(changes);
+    for (int block = changes[0]; block < changes[3]; block += kBlock) {
+        const int last = std::min(block + kBlock, changes[3]);
+        for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = a + 1; b < 4; ++b) {
+                const int begin = std::max(std::min(first[a], first[b]), block);
+                const int end = std::min(std::max(first[a], first[b]), last);
+                if (begin < end)
+                    cutLine<kValues>(lineBetween(tetra, a, b), planes, begin, end, tetra.values,
+                                     cuts + kEdgeOf[a][b] * tetra.values * kRow + begin - block);
+            }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int begin = std::max(changes[i], block), end = std::min(changes[i + 1], last);
+            if (begin >= end) continue;
             unsigned mask = 0;
             for (unsigned corner = 0; corner < 4; ++corner)
-                mask |= (tetra.firstInFront[corner] <= k ? 1u : 0u) << corner;
-            writePolygon<kValues>(kTetraSections[mask], cuts, k - block, tetra.values,
-                                  static_cast<std::size_t>(k), target);
+                mask |= (first[corner] <= begin ? 1u : 0u) << corner;
+            if (i == 1)
+                writeRun<kValues, 4>(kTetraSections[mask], cuts, block, begin, end, tetra.values, target);
+            else
+                writeRun<kValues, 3>(kTetraSections[mask], cuts, block, begin, end, tetra.values, target);
         }
     }
 }
@@ -149,12 +160,12 @@ void writeSlicesOfTarget(const TetraToSlice& tetra, const PlaneFamily& planes, c
                          std::vector<float>& scratch)
 {
     if (tetra.values == 3) {
-        float cuts[kEdges * 3 * kBlock];
+        float cuts[kEdges * 3 * kRow];
         writeAll<3>(tetra, planes, target, cuts);
         return;
     }
     const std::size_t needed =
-        static_cast<std::size_t>(kEdges * kBlock) * static_cast<std::size_t>(tetra.values);
+        static_cast<std::size_t>(kEdges * kRow) * static_cast<std::size_t>(tetra.values);
     if (scratch.size() < needed) scratch.resize(needed);
     writeAll<0>(tetra, planes, target, scratch.data());
 }

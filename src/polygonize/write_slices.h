@@ -14,6 +14,7 @@ struct TetraToSlice
 {
     std::array<const float*, 4> corners; ///< their records
     int values;                          ///< of a record
+    std::array<double, 4> offsets;       ///< of the corners along the planes' normal
     std::array<int, 4> firstInFront;     ///< the first plane that has the corner in front
 };
 

@@ -60,7 +60,7 @@ Sliced sliceAsBody(const TetraSet& set, std::span<const vo::Box> boxes, const vo
                   glm::max(bounds.upper, set.view().position(vertex))};
     vo::BoxLattice lattice;
     lattice.assign(boxes);
-    EXPECT_TRUE(vo::boxesStandApart(lattice));
+    EXPECT_TRUE(lattice.standApart());
     vo::ConvexSlicer slicer;
     vo::PolygonStack stack;
     slicer.slice(*body, bounds, result.planes, result.axis.set.nearest, lattice, stack);
@@ -303,9 +303,9 @@ TEST(ConvexSlicer, boxesThatOverlapDoNotStandApart)
 {
     vo::BoxLattice lattice;
     lattice.assign(bricks(3, kSize));
-    EXPECT_TRUE(vo::boxesStandApart(lattice));
+    EXPECT_TRUE(lattice.standApart());
     const std::vector<vo::Box> boxes{{glm::dvec3(0), glm::dvec3(4)},
                                      {glm::dvec3(3, 0, 0), glm::dvec3(8, 4, 4)}};
     lattice.assign(boxes);
-    EXPECT_FALSE(vo::boxesStandApart(lattice));
+    EXPECT_FALSE(lattice.standApart());
 }
