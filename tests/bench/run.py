@@ -167,7 +167,7 @@ def measure_all(options, output, path):
         results = with_kept(results, chosen_jobs(options, volumes, folder), path)
     return {
         "date": datetime.date.today().isoformat(), "rounds": options.rounds,
-        "machine": {"processor": processor(), "cores": os.cpu_count(), "system": platform.platform()},
+        "machine": {"processor": processor(), "cores": os.cpu_count(), "system": f"{platform.system()}, {os.confstr('CS_GNU_LIBC_VERSION')}"},
         "noise": noise_of(results, before), "jobs": results,
         "bars": [bar.as_dictionary() for bar in bars.all_bars(results)],
     }
