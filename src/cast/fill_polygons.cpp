@@ -1,6 +1,7 @@
 #include "cast/fill_polygons.h"
 
 #include "cast/fill_tile.h"
+#include "cast/fill_voxels.h"
 #include "cast/polygon_setup.h"
 #include "core/parallel.h"
 #include "polygonize/camera.h"
@@ -22,6 +23,7 @@ namespace vo {
 namespace {
 
 constexpr int kMostPixels = 16384; ///< a side
+constexpr int kMostVoxels = 65000; ///< a side of a brick
 constexpr std::size_t kChunkIndices = 3 * 256;
 constexpr std::size_t kChunksAtOnce = 256;
 constexpr std::size_t kTilePixels = static_cast<std::size_t>(kTileSide) * kTileSide;
@@ -63,71 +65,6 @@ std::vector<Chunk> chunksOf(const FramePolygons& polygons)
     return chunks;
 }
 
-// ---- Bricks
-
-/// As a texture answers (draw/brick_texture.h).
-void setAnswer(FillBrick& brick)
-{
-    const bool classified = brick.texels.classified != nullptr;
-    switch (brick.texels.texel) {
-    case TexelFormat::intensity:
-        brick.oneChannel = !classified;
-        brick.hasAlpha = true;
-        return;
-    case TexelFormat::luminance:
-        brick.oneChannel = !classified;
-        brick.hasAlpha = classified;
-        return;
-    case TexelFormat::luminanceAlpha:
-    case TexelFormat::rgba:
-        brick.oneChannel = false;
-        brick.hasAlpha = true;
-        return;
-    case TexelFormat::rgb:
-        brick.oneChannel = false;
-        brick.hasAlpha = classified;
-        return;
-    }
-}
-
-TexelStorage storageOf(const FillBrick& brick)
-{
-    const BrickTexels& texels = brick.texels;
-    const bool fitsOffsets = texels.size.count() * voxelBytes(texels.format) <=
-                             static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
-    if (!brick.oneChannel || channelCount(texels.format.channels) != 1 || !fitsOffsets)
-        return TexelStorage::any;
-    switch (texels.format.type) {
-    case VoxelType::uint8: return texels.size.x >= 4 ? TexelStorage::byte1 : TexelStorage::any;
-    case VoxelType::uint16: return texels.size.x >= 2 ? TexelStorage::short1 : TexelStorage::any;
-    case VoxelType::float32: return TexelStorage::float1;
-    case VoxelType::int8:
-    case VoxelType::uint8_332:
-    case VoxelType::int16:
-    case VoxelType::uint16_4444:
-    case VoxelType::uint16_5551:
-    case VoxelType::uint32:
-    case VoxelType::int32:
-    case VoxelType::uint32_8888:
-    case VoxelType::uint32_1010102: break;
-    }
-    return TexelStorage::any;
-}
-
-std::vector<FillBrick> fillBricks(std::span<const CastBrick> bricks)
-{
-    std::vector<FillBrick> result;
-    result.reserve(bricks.size());
-    for (const CastBrick& brick : bricks) {
-        FillBrick fill;
-        fill.texels = brick.texels;
-        setAnswer(fill);
-        fill.storage = storageOf(fill);
-        result.push_back(fill);
-    }
-    return result;
-}
-
 // ---- What fragments become
 
 bool isUnit(float value)
@@ -149,19 +86,17 @@ bool boundsOpacity(const CastRequest& request)
     return request.shading.table || std::ranges::all_of(request.bricks, clampsTexels);
 }
 
-FillFrame frameOf(const CastRequest& request, std::span<const FillBrick> bricks, bool perspective)
+FillFrame frameOf(const CastRequest& request)
 {
     FillFrame frame;
     frame.shading = request.shading;
     frame.blending = request.blending;
-    frame.perspective = perspective;
+    frame.perspective = WindowProjection(request).perspective();
     frame.vertexColor = request.layout.color >= 0;
     frame.opacityPerLength = request.opacityGauge.has_value();
     frame.terminates = request.blending == CastBlending::over && boundsOpacity(request);
     frame.depth = request.depth;
     frame.width = request.width;
-    frame.height = request.height;
-    frame.bricks = bricks;
     return frame;
 }
 
@@ -338,16 +273,17 @@ void setPicture(const FillFrame& frame, std::span<const FillTile> tiles, const P
     parallelFor(tiles.size(), threads, [&](std::size_t i) { copyTile(frame, tiles[i], picture); });
 }
 
-/// One call of fillPolygons.
+/// One call of PolygonFiller::fill.
 class Filling
 {
 public:
-    Filling(const CastRequest& request, const FramePolygons& polygons)
-        : request_(request), polygons_(polygons), bricks_(fillBricks(request.bricks)),
-          frame_(frameOf(request, bricks_, WindowProjection(request).perspective())),
+    Filling(const CastRequest& request, const FramePolygons& polygons, const FillVoxels& voxels)
+        : request_(request), polygons_(polygons), voxels_(voxels), frame_(frameOf(request)),
           tiles_(tilesOf(request.width, request.height)),
           bins_(tilesAlong(request.width), tilesAlong(request.height))
     {
+        frame_.samplers = voxels.samplers();
+        frame_.entries = voxels.entries();
         if (!request.opacityGauge) return;
         if (const auto camera = findCamera(request.model, request.projection))
             sights_ = sightsOf(request, *camera);
@@ -390,7 +326,7 @@ private:
     void prepare(const Chunk& chunk, FillList& list) const
     {
         list.clear();
-        PolygonSetup setup(request_, polygons_.records);
+        PolygonSetup setup(request_, voxels_.bricks(), polygons_.records);
         for (std::size_t first = chunk.first; first < chunk.end;) {
             const std::size_t end = endOfPolygon(polygons_.indices, first + 3, chunk.end);
             setup.append(chunk.brick, polygons_.indices.subspan(first, end - first), list);
@@ -400,7 +336,7 @@ private:
 
     const CastRequest& request_;
     const FramePolygons& polygons_;
-    std::vector<FillBrick> bricks_;
+    const FillVoxels& voxels_;
     FillFrame frame_;
     Sights sights_;
     std::vector<FillTile> tiles_;
@@ -421,14 +357,38 @@ std::string fillRefusal(const CastRequest& request)
     for (const CastBrick& brick : request.bricks)
         if (brick.texels.voxels.size() / voxelBytes(brick.texels.format) < brick.texels.size.count())
             return "a brick has no voxels in memory";
+    for (const CastBrick& brick : request.bricks)
+        for (int axis = 0; axis < 3; ++axis)
+            if (brick.texels.size[axis] > kMostVoxels)
+                return "a brick is " + std::to_string(brick.texels.size[axis]) + " voxels long, more than " +
+                       std::to_string(kMostVoxels);
     if (!findCamera(request.model, request.projection)) return "the matrices are singular";
     return "";
 }
 
-void fillPolygons(const CastRequest& request, const FramePolygons& polygons, CastPicture& picture)
+struct PolygonFiller::Private
+{
+    FillVoxels voxels;
+};
+
+PolygonFiller::PolygonFiller() : d(std::make_unique<Private>()) {}
+PolygonFiller::~PolygonFiller() = default;
+
+void PolygonFiller::fill(const CastRequest& request, const FramePolygons& polygons, CastPicture& picture)
 {
     assert(fillRefusal(request).empty());
-    Filling(request, polygons).fill(picture);
+    d->voxels.startFrame(request);
+    Filling(request, polygons, d->voxels).fill(picture);
+}
+
+void PolygonFiller::forget(std::uint64_t brickId)
+{
+    d->voxels.forget(brickId);
+}
+
+std::size_t PolygonFiller::bytes() const
+{
+    return d->voxels.bytes();
 }
 
 } // namespace vo

@@ -9,356 +9,381 @@
 #define HWY_TARGET_INCLUDE "cast/fill_tile.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
-#include <hwy/contrib/math/math-inl.h>
+
+#include "cast/sample-inl.h"
+#include "cast/shade-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace vo::HWY_NAMESPACE {
+namespace vo {
+namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<float, 16>;
-using DI = hn::RebindToSigned<D>;
-using DU = hn::RebindToUnsigned<D>;
-using V = hn::Vec<D>;
-using VI = hn::Vec<DI>;
-using VU = hn::Vec<DU>;
-using M = hn::Mask<D>;
+static_assert(kPlaceUnit == kPlaceParts);
+
+using FourTag = hn::CappedTag<float, 4>;
+using Four = hn::Vec<FourTag>; // of four channels, where vectors are as long
+constexpr FourTag kFour;
 
 constexpr std::size_t kCapacity = 512;
 /// One more row of a tile, and lanes that are written past the end.
 constexpr std::size_t kStored = kCapacity + kTileSide + 16;
 
-/// Samples waiting to be shaded, all of one brick, in the order in which they are blended.
+template <class T>
+using Lanes = std::array<T, kStored>;
+
+/// Samples waiting to be shaded, all of one sampler, in the order in which they are blended.
 struct Fragments
 {
     std::size_t count = 0;
-    alignas(64) std::array<float, kStored> place[3];
-    alignas(64) std::array<std::int32_t, kStored> pixel; ///< of the tile
-    alignas(64) std::array<float, kStored> color[4];     ///< of the vertices
-    alignas(64) std::array<float, kStored> units;
+    alignas(64) Lanes<std::int32_t> place[3]; ///< 1 / kPlaceUnit voxel
+    alignas(64) Lanes<std::int32_t> pixel;    ///< of the tile
+    alignas(64) Lanes<float> color[4];        ///< of the vertices
+    alignas(64) Lanes<std::int32_t> entry;    ///< of the table: where it begins
+    alignas(64) Lanes<float> weight;          ///< of the next entry, or the sample itself
     alignas(64) std::array<float, 4 * kStored> rgba;
 };
 
 struct Rgba
 {
-    V c[4];
+    Floats c[4];
 };
 
 // ---- Samples
 
-/// Cells between texel centres: offsets in bytes of eight corners, and how far a place is from the first.
-struct Cells
+/// Of one channel or of four, in the units of a plan: 1 stands for 1.
+template <class Sampler>
+class GridSource
 {
-    VI base, right; ///< of the lower corners, x and x + 1
-    VI up, back;    ///< to y + 1 and z + 1
-    V x, y, z;
+public:
+    static constexpr int kChannels = Sampler::kChannels;
+
+    explicit GridSource(const FillSampler& sampler)
+        : lanes_(sampler.grid->view()), sampler_(sampler.grid->view()),
+          unit_(1.0f / sampler.grid->view().rawUnit)
+    {
+    }
+
+    HWY_INLINE void sample(Ints x, Ints y, Ints z, Floats (&values)[kChannels]) const
+    {
+        const Place place = lanes_.place(x, y, z);
+        for (int c = 0; c < kChannels; ++c)
+            values[c] = sampler_.value(place, c) * hn::Set(kFloats, unit_);
+    }
+
+private:
+    GridLanes lanes_;
+    Sampler sampler_;
+    float unit_;
 };
 
-template <int bytes>
-Cells cellsAt(const VoxelSize& size, V px, V py, V pz)
+/// Bricks that make no grid, lane by lane.
+class TexelSource
 {
-    const D d;
-    const DI di;
-    const VI one = hn::Set(di, 1);
-    const VI ix = hn::ConvertTo(di, px), iy = hn::ConvertTo(di, py), iz = hn::ConvertTo(di, pz);
-    const VI rowBytes = hn::Set(di, bytes * size.x);
-    const VI layerBytes = hn::Set(di, bytes * size.x * size.y);
-    const auto stepBelow = [&](VI index, int last, VI step) {
-        return hn::IfThenElseZero(hn::Lt(index, hn::Set(di, last)), step);
-    };
-    Cells cells;
-    cells.base =
-        hn::Add(hn::Mul(ix, hn::Set(di, bytes)), hn::Add(hn::Mul(iy, rowBytes), hn::Mul(iz, layerBytes)));
-    cells.right = hn::Add(cells.base, stepBelow(ix, size.x - 1, hn::Mul(one, hn::Set(di, bytes))));
-    cells.up = stepBelow(iy, size.y - 1, rowBytes);
-    cells.back = stepBelow(iz, size.z - 1, layerBytes);
-    cells.x = hn::Sub(px, hn::ConvertTo(d, ix));
-    cells.y = hn::Sub(py, hn::ConvertTo(d, iy));
-    cells.z = hn::Sub(pz, hn::ConvertTo(d, iz));
-    return cells;
-}
+public:
+    static constexpr int kChannels = 4;
 
-V mix(V a, V b, V share)
-{
-    return hn::MulAdd(share, hn::Sub(b, a), a);
-}
+    explicit TexelSource(const FillSampler& sampler) : texels_(sampler.texels) {}
 
-/// Trilinear; row(back, up) gives the value of an edge of the cell, mixed along x.
-template <class Row>
-V mixRows(const Cells& cells, Row row)
-{
-    const VI none = hn::Zero(DI());
-    const V front = mix(row(none), row(cells.up), cells.y);
-    const V behind = mix(row(cells.back), row(hn::Add(cells.back, cells.up)), cells.y);
-    return mix(front, behind, cells.z);
-}
-
-V sampleFloats(const FillBrick& brick, V px, V py, V pz)
-{
-    const Cells cells = cellsAt<4>(brick.texels.size, px, py, pz);
-    const auto* base = reinterpret_cast<const float*>(brick.texels.voxels.data());
-    return mixRows(cells, [&](VI offset) {
-        return mix(hn::GatherOffset(D(), base, hn::Add(cells.base, offset)),
-                   hn::GatherOffset(D(), base, hn::Add(cells.right, offset)), cells.x);
-    });
-}
-
-/// Integers of 8 or 16 bits: each fetch of 32 bits holds a texel and its neighbour to the right. A row's last
-/// fetch begins earlier, so that none reads past it; rows have four bytes at least.
-template <int bits>
-V sampleIntegers(const FillBrick& brick, V px, V py, V pz)
-{
-    constexpr int bytes = bits / 8;
-    const D d;
-    const DI di;
-    const DU du;
-    const VoxelSize& size = brick.texels.size;
-    const Cells cells = cellsAt<bytes>(size, px, py, pz);
-    const VI lastFetch = hn::Set(di, size.x - 4 / bytes);
-    const VI back = hn::Max(hn::Sub(hn::ConvertTo(di, px), lastFetch), hn::Zero(di));
-    const VI base = hn::Sub(cells.base, hn::Mul(back, hn::Set(di, bytes)));
-    const VU shift = hn::BitCast(du, hn::Mul(back, hn::Set(di, bits)));
-    const VU mask = hn::Set(du, (1u << bits) - 1u);
-    const auto* voxels = reinterpret_cast<const std::int32_t*>(brick.texels.voxels.data());
-    const V sum = mixRows(cells, [&](VI offset) {
-        const VU pair = hn::Shr(hn::BitCast(du, hn::GatherOffset(di, voxels, hn::Add(base, offset))), shift);
-        const V left = hn::ConvertTo(d, hn::BitCast(di, hn::And(pair, mask)));
-        const V right = hn::ConvertTo(d, hn::BitCast(di, hn::And(hn::ShiftRight<bits>(pair), mask)));
-        return mix(left, right, cells.x);
-    });
-    return hn::Mul(sum, hn::Set(d, 1.0f / static_cast<float>((1 << bits) - 1)));
-}
-
-/// What the texture answers, lane by lane.
-Rgba sampleAny(const FillBrick& brick, V px, V py, V pz)
-{
-    const D d;
-    alignas(64) float place[3][16], answer[4][16];
-    hn::Store(px, d, place[0]);
-    hn::Store(py, d, place[1]);
-    hn::Store(pz, d, place[2]);
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-        const glm::dvec4 texel =
-            filteredTexel(brick.texels, glm::dvec3(place[0][lane], place[1][lane], place[2][lane]) + 0.5);
+    void sample(Ints x, Ints y, Ints z, Floats (&values)[kChannels]) const
+    {
+        alignas(64) std::int32_t place[3][16];
+        alignas(64) float answer[4][16];
+        hn::Store(x, kInts, place[0]);
+        hn::Store(y, kInts, place[1]);
+        hn::Store(z, kInts, place[2]);
+        for (std::size_t lane = 0; lane < hn::Lanes(kFloats); ++lane) {
+            const glm::dvec4 texel = filteredTexel(
+                texels_, glm::dvec3(place[0][lane], place[1][lane], place[2][lane]) / double(kPlaceUnit));
+            for (int c = 0; c < 4; ++c)
+                answer[c][lane] = static_cast<float>(texel[c]);
+        }
         for (int c = 0; c < 4; ++c)
-            answer[c][lane] = static_cast<float>(texel[c]);
+            values[c] = hn::Load(kFloats, answer[c]);
     }
-    return {{hn::Load(d, answer[0]), hn::Load(d, answer[1]), hn::Load(d, answer[2]), hn::Load(d, answer[3])}};
-}
 
-Rgba sampleTexture(const FillBrick& brick, V px, V py, V pz)
-{
-    const auto ofOne = [&](V value) {
-        return Rgba{{value, value, value, brick.hasAlpha ? value : hn::Set(D(), 1.0f)}};
-    };
-    switch (brick.storage) {
-    case TexelStorage::byte1: return ofOne(sampleIntegers<8>(brick, px, py, pz));
-    case TexelStorage::short1: return ofOne(sampleIntegers<16>(brick, px, py, pz));
-    case TexelStorage::float1: return ofOne(sampleFloats(brick, px, py, pz));
-    case TexelStorage::any: break;
-    }
-    return sampleAny(brick, px, py, pz);
-}
-
-// ---- Shading
-
-struct TablePlace
-{
-    VI below, above; ///< numbers of entries, times 4
-    V share;
+private:
+    const BrickTexels& texels_;
 };
 
-TablePlace placeIn(const Table& table, V value)
+template <class Function>
+void withSource(const FillSampler& sampler, Function function)
 {
-    const D d;
-    const DI di;
-    const int last = table.size() - 1;
-    const VI most = hn::Set(di, last);
-    // Zero comes second where either may be returned for a NaN; the number is clamped in any case.
-    const V entry =
-        hn::Mul(hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 1.0f)), hn::Set(d, static_cast<float>(last)));
-    const VI below = hn::Max(hn::Min(hn::ConvertTo(di, entry), most), hn::Zero(di));
-    const VI above = hn::Min(hn::Add(below, hn::Set(di, 1)), most);
-    return {hn::ShiftLeft<2>(below), hn::ShiftLeft<2>(above), hn::Sub(entry, hn::ConvertTo(d, below))};
-}
-
-V lookedUp(const Table& table, const TablePlace& place, int column)
-{
-    const float* entries = table.rgba.data() + column;
-    return mix(hn::GatherIndex(D(), entries, place.below), hn::GatherIndex(D(), entries, place.above),
-               place.share);
-}
-
-Rgba applied(const Table& table, bool oneChannel, const Rgba& sampled)
-{
-    if (!oneChannel)
-        return {{lookedUp(table, placeIn(table, sampled.c[0]), 0),
-                 lookedUp(table, placeIn(table, sampled.c[1]), 1),
-                 lookedUp(table, placeIn(table, sampled.c[2]), 2),
-                 lookedUp(table, placeIn(table, sampled.c[3]), 3)}};
-    const TablePlace place = placeIn(table, sampled.c[0]);
-    return {{lookedUp(table, place, 0), lookedUp(table, place, 1), lookedUp(table, place, 2),
-             lookedUp(table, place, 3)}};
-}
-
-Rgba environment(const CastShading& shading, bool hasAlpha, const Rgba& sampled, const Rgba& color)
-{
-    if (!shading.replace)
-        return {{hn::Mul(color.c[0], sampled.c[0]), hn::Mul(color.c[1], sampled.c[1]),
-                 hn::Mul(color.c[2], sampled.c[2]), hn::Mul(color.c[3], sampled.c[3])}};
-    if (shading.table || hasAlpha) return sampled;
-    return {{sampled.c[0], sampled.c[1], sampled.c[2], color.c[3]}};
-}
-
-/// 1 - (1 - alpha)^units.
-V opacityOver(V alpha, V units)
-{
-    const D d;
-    const V clamped = hn::Min(hn::Max(alpha, hn::Zero(d)), hn::Set(d, 1.0f - 0x1p-24f));
-    const V result = hn::Neg(hn::Expm1(d, hn::Mul(units, hn::Log1p(d, hn::Neg(clamped)))));
-    return hn::IfThenElse(hn::Ge(alpha, hn::Set(d, 1.0f)), hn::Set(d, 1.0f), result);
-}
-
-Rgba colorsAt(const FillFrame& frame, const Fragments& fragments, std::size_t i)
-{
-    const D d;
-    if (frame.vertexColor)
-        return {{hn::Load(d, &fragments.color[0][i]), hn::Load(d, &fragments.color[1][i]),
-                 hn::Load(d, &fragments.color[2][i]), hn::Load(d, &fragments.color[3][i])}};
-    const glm::vec4& color = frame.shading.color;
-    return {{hn::Set(d, color.r), hn::Set(d, color.g), hn::Set(d, color.b), hn::Set(d, color.a)}};
+    if (!sampler.grid) return function(TexelSource(sampler));
+    switch (sampler.grid->view().kind) {
+    case GridKind::bytes: return function(GridSource<ByteSampler>(sampler));
+    case GridKind::shorts: return function(GridSource<ShortSampler>(sampler));
+    case GridKind::floats: break;
+    }
+    if (sampler.grid->view().channels == 1) return function(GridSource<FloatSampler<1>>(sampler));
+    function(GridSource<FloatSampler<4>>(sampler));
 }
 
 /// The last lanes of a vector that is not full: any place that is in the brick will do.
 void padFragments(Fragments& fragments)
 {
-    const std::size_t lanes = hn::Lanes(D());
-    for (std::size_t i = fragments.count; i % lanes != 0; ++i)
+    for (std::size_t i = fragments.count; i % hn::Lanes(kFloats) != 0; ++i)
         for (auto& coordinates : fragments.place)
             coordinates[i] = coordinates[fragments.count - 1];
 }
 
-void shadeFragments(const FillFrame& frame, const FillBrick& brick, const FillTile& tile,
-                    Fragments& fragments)
+template <class Source, class Function>
+HWY_INLINE void forSamples(const Source& source, Fragments& fragments, Function function)
 {
-    const D d;
     padFragments(fragments);
-    if (frame.opacityPerLength)
-        for (std::size_t i = 0; i < fragments.count; ++i)
-            fragments.units[i] = tile.units[static_cast<std::size_t>(fragments.pixel[i])];
-    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
-        Rgba sampled =
-            sampleTexture(brick, hn::Load(d, &fragments.place[0][i]), hn::Load(d, &fragments.place[1][i]),
-                          hn::Load(d, &fragments.place[2][i]));
-        if (frame.shading.table) sampled = applied(*frame.shading.table, brick.oneChannel, sampled);
-        Rgba rgba = environment(frame.shading, brick.hasAlpha, sampled, colorsAt(frame, fragments, i));
-        if (frame.opacityPerLength) rgba.c[3] = opacityOver(rgba.c[3], hn::Load(d, &fragments.units[i]));
-        hn::StoreInterleaved4(rgba.c[0], rgba.c[1], rgba.c[2], rgba.c[3], d, &fragments.rgba[4 * i]);
+    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(kFloats)) {
+        Floats values[Source::kChannels];
+        source.sample(hn::Load(kInts, &fragments.place[0][i]), hn::Load(kInts, &fragments.place[1][i]),
+                      hn::Load(kInts, &fragments.place[2][i]), values);
+        function(i, values);
     }
+}
+
+// ---- Shading
+
+/// Where samples of one channel lie in the table.
+void findEntries(const FillFrame& frame, const FillSampler& sampler, Fragments& fragments)
+{
+    const auto last = static_cast<float>(frame.entries.size() / 8 - 1);
+    withSource(sampler, [&](const auto& source) {
+        forSamples(source, fragments, [&](std::size_t i, const auto& values) {
+            // Written so that a NaN counts as 0.
+            const Floats scaled = hn::Min(values[0] * hn::Set(kFloats, last), hn::Set(kFloats, last));
+            const Floats place = hn::IfThenElseZero(values[0] > hn::Zero(kFloats), scaled);
+            const Ints entry = toLower(place);
+            hn::Store(place - hn::ConvertTo(kFloats, entry), kFloats, &fragments.weight[i]);
+            hn::Store(hn::ShiftLeft<3>(entry), kInts, &fragments.entry[i]);
+        });
+    });
+}
+
+/// A shading plan's components of one value or of four.
+template <class Shade>
+HWY_INLINE Rgba shaded(const ShadingPlan& plan, const Shade& shade, const Floats (&values)[1])
+{
+    static_cast<void>(plan);
+    const auto key = shade.key(values[0]);
+    return {
+        {shade.component(key, 0), shade.component(key, 1), shade.component(key, 2), shade.component(key, 3)}};
+}
+
+template <class Shade>
+HWY_INLINE Rgba shaded(const ShadingPlan& plan, const Shade& shade, const Floats (&values)[4])
+{
+    const auto component = [&](std::size_t c) {
+        return shade.component(shade.key(values[plan.oneChannel ? 0 : c]), c);
+    };
+    return {{component(0), component(1), component(2), component(3)}};
+}
+
+template <class Shade>
+void shadeWith(const FillFrame& frame, const FillSampler& sampler, const FillTile& tile, Fragments& fragments)
+{
+    const Shade shade(*sampler.plan, 1.0f);
+    const bool modulates = frame.vertexColor && !frame.shading.replace;
+    const bool ownAlpha = frame.vertexColor && frame.shading.replace && sampler.keepsAlpha;
+    withSource(sampler, [&](const auto& source) {
+        forSamples(source, fragments, [&](std::size_t i, const auto& values) {
+            Rgba rgba = shaded(*sampler.plan, shade, values);
+            for (std::size_t c = 0; modulates && c < 4; ++c)
+                rgba.c[c] = rgba.c[c] * hn::Load(kFloats, &fragments.color[c][i]);
+            if (ownAlpha) rgba.c[3] = hn::Load(kFloats, &fragments.color[3][i]);
+            if (frame.opacityPerLength) {
+                const Ints pixel = hn::And(hn::Load(kInts, &fragments.pixel[i]),
+                                           hn::Set(kInts, kTileSide * kTileSide - 1)); // past the end: any
+                const Floats alpha = rgba.c[3], one = hn::Set(kFloats, 1.0f);
+                rgba.c[3] =
+                    hn::IfThenElse(alpha < one, opacityOver(alpha, gather(tile.units.data(), pixel)), one);
+            }
+            hn::StoreInterleaved4(rgba.c[0], rgba.c[1], rgba.c[2], rgba.c[3], kFloats,
+                                  &fragments.rgba[4 * i]);
+        });
+    });
 }
 
 // ---- Blending
 
-using D4 = hn::CappedTag<float, 4>;
-
-/// target = function(target, source) for the four channels of a pixel.
-template <class Function>
-void updatePixel(float* target, const float* source, Function function)
+/// Fragments with all that can be: stored one after the other.
+class StoredColors
 {
-    const D4 d;
-    for (std::size_t c = 0; c < 4; c += hn::Lanes(d))
-        hn::StoreU(function(hn::LoadU(d, target + c), hn::LoadU(d, source + c)), d, target + c);
-}
+public:
+    explicit StoredColors(const Fragments& fragments) : rgba_(fragments.rgba.data()) {}
 
-template <class Function>
-void updatePixels(const Fragments& fragments, FillTile& tile, Function function)
-{
-    for (std::size_t i = 0; i < fragments.count; ++i)
-        updatePixel(&tile.rgba[4 * static_cast<std::size_t>(fragments.pixel[i])], &fragments.rgba[4 * i],
-                    function);
-}
+    HWY_INLINE Four channels(std::size_t i, std::size_t first) const
+    {
+        return hn::LoadU(kFour, rgba_ + 4 * i + first);
+    }
+    HWY_INLINE float alpha(std::size_t i) const { return rgba_[4 * i + 3]; }
 
-void addBehind(const Fragments& fragments, FillTile& tile)
+private:
+    const float* rgba_;
+};
+
+/// Fragments of a table's entries.
+class TableColors
 {
-    const D4 d;
+public:
+    TableColors(const Fragments& fragments, std::span<const float> entries)
+        : entry_(fragments.entry.data()), weight_(fragments.weight.data()), entries_(entries.data())
+    {
+    }
+
+    HWY_INLINE Four channels(std::size_t i, std::size_t first) const
+    {
+        const float* entry = entries_ + entry_[i] + first;
+        return hn::MulAdd(hn::Set(kFour, weight_[i]), hn::LoadU(kFour, entry + 4), hn::LoadU(kFour, entry));
+    }
+    HWY_INLINE float alpha(std::size_t i) const
+    {
+        const float* entry = entries_ + entry_[i] + 3;
+        return entry[0] + weight_[i] * entry[4];
+    }
+
+private:
+    const std::int32_t* entry_;
+    const float* weight_;
+    const float* entries_;
+};
+
+/// target = function(target, fragment) for the channels of each fragment's pixel; before(i, pixel) makes what
+/// function needs.
+template <class Colors, class Before, class Function>
+HWY_INLINE void updatePixels(const Fragments& fragments, const Colors& colors, FillTile& tile, Before before,
+                             Function function)
+{
+    float* targets = tile.rgba.data();
     for (std::size_t i = 0; i < fragments.count; ++i) {
         const auto pixel = static_cast<std::size_t>(fragments.pixel[i]);
-        const float alpha = fragments.rgba[4 * i + 3];
-        const float through = tile.transmittance[pixel];
-        const auto weight = hn::Set(d, alpha * through);
-        updatePixel(&tile.rgba[4 * pixel], &fragments.rgba[4 * i],
-                    [&](auto target, auto source) { return hn::MulAdd(weight, source, target); });
-        tile.transmittance[pixel] = through - alpha * through;
+        const auto prepared = before(i, pixel);
+        for (std::size_t c = 0; c < 4; c += hn::Lanes(kFour)) {
+            float* target = targets + 4 * pixel + c;
+            hn::StoreU(function(hn::LoadU(kFour, target), colors.channels(i, c), prepared), kFour, target);
+        }
     }
 }
 
-void addTimesAlpha(const Fragments& fragments, FillTile& tile)
+template <class Colors>
+void blend(CastBlending blending, const Fragments& fragments, const Colors& colors, FillTile& tile)
 {
-    const D4 d;
-    for (std::size_t i = 0; i < fragments.count; ++i) {
-        const auto weight = hn::Set(d, fragments.rgba[4 * i + 3]);
-        updatePixel(&tile.rgba[4 * static_cast<std::size_t>(fragments.pixel[i])], &fragments.rgba[4 * i],
-                    [&](auto target, auto source) { return hn::MulAdd(weight, source, target); });
-    }
-}
-
-void blendFragments(CastBlending blending, const Fragments& fragments, FillTile& tile)
-{
+    const auto nothing = [](std::size_t, std::size_t) { return 0; };
+    const auto weighted = [](Four target, Four source, Four weight) {
+        return hn::MulAdd(weight, source, target);
+    };
+    float* transmittance = tile.transmittance.data();
     switch (blending) {
-    case CastBlending::over: return addBehind(fragments, tile);
-    case CastBlending::alphaSum: return addTimesAlpha(fragments, tile);
+    case CastBlending::over:
+        return updatePixels(
+            fragments, colors, tile,
+            [&](std::size_t i, std::size_t pixel) {
+                const float part = colors.alpha(i) * transmittance[pixel];
+                transmittance[pixel] -= part;
+                return hn::Set(kFour, part);
+            },
+            weighted);
+    case CastBlending::alphaSum:
+        return updatePixels(
+            fragments, colors, tile,
+            [&](std::size_t i, std::size_t) { return hn::Set(kFour, colors.alpha(i)); }, weighted);
     case CastBlending::sum:
-        return updatePixels(fragments, tile, [](auto a, auto b) { return hn::Add(a, b); });
+        return updatePixels(fragments, colors, tile, nothing, [](Four a, Four b, int) { return a + b; });
     case CastBlending::max:
-        return updatePixels(fragments, tile, [](auto a, auto b) { return hn::Max(a, b); });
+        return updatePixels(fragments, colors, tile, nothing,
+                            [](Four a, Four b, int) { return hn::Max(a, b); });
     case CastBlending::min:
-        return updatePixels(fragments, tile, [](auto a, auto b) { return hn::Min(a, b); });
+        return updatePixels(fragments, colors, tile, nothing,
+                            [](Four a, Four b, int) { return hn::Min(a, b); });
     }
+}
+
+void drawFragments(const FillFrame& frame, const FillSampler& sampler, FillTile& tile, Fragments& fragments)
+{
+    if (!frame.entries.empty()) {
+        findEntries(frame, sampler, fragments);
+        return blend(frame.blending, fragments, TableColors(fragments, frame.entries), tile);
+    }
+    if (sampler.plan->table)
+        shadeWith<TableShade>(frame, sampler, tile, fragments);
+    else
+        shadeWith<LinearShade>(frame, sampler, tile, fragments);
+    blend(frame.blending, fragments, StoredColors(fragments), tile);
 }
 
 // ---- Fragments of a polygon
 
+/// A number along a row.
 struct RowValue
 {
-    float start, step; ///< at x = 0 of the tile, and a pixel
+    float start, step; ///< at the left end of the polygon's box, and a pixel
+
+    HWY_INLINE Floats at(Floats x) const
+    {
+        return hn::MulAdd(hn::Set(kFloats, step), x, hn::Set(kFloats, start));
+    }
 };
 
-V valuesAt(const RowValue& row, V x)
+/// The blocks of a sampler that can be left out.
+class BlockTest
 {
-    return hn::MulAdd(hn::Set(D(), row.step), x, hn::Set(D(), row.start));
-}
+public:
+    explicit BlockTest(const FillSampler& sampler) : distances_(sampler.blockDistance)
+    {
+        if (!distances_) return;
+        row_ = sampler.grid->blockCount().x;
+        slice_ = row_ * sampler.grid->blockCount().y;
+    }
+
+    bool any() const { return distances_ != nullptr; }
+
+    /// Blocks to the next that may hold something.
+    HWY_INLINE Ints distance(Ints x, Ints y, Ints z) const
+    {
+        constexpr int kBlockBits = kPlaceBits + kBlockShift;
+        const Ints number = hn::ShiftRight<kBlockBits>(x) +
+                            hn::ShiftRight<kBlockBits>(y) * hn::Set(kInts, row_) +
+                            hn::ShiftRight<kBlockBits>(z) * hn::Set(kInts, slice_);
+        return hn::And(gatherAtByte(reinterpret_cast<const std::int32_t*>(distances_), number),
+                       hn::Set(kInts, 0xff));
+    }
+
+private:
+    const std::uint8_t* distances_;
+    int row_ = 0, slice_ = 0;
+};
 
 class RowFiller
 {
 public:
     RowFiller(const FillFrame& frame, const FillPolygon& polygon, const FillTile& tile, Fragments& fragments)
-        : frame_(frame), polygon_(polygon), tile_(tile), fragments_(fragments)
+        : frame_(frame), polygon_(polygon), tile_(tile), fragments_(fragments),
+          blocks_(frame.samplers[static_cast<std::size_t>(polygon.sampler)]), left_(polygon.box.x0 - tile.x)
     {
+        if (!blocks_.any() || frame.perspective) return;
+        float step = 1e-3f;
+        for (const WindowGradient& place : polygon.place)
+            step = std::max(step, std::abs(place.dx));
+        // Rounding may take a place into the next cell.
+        pixelsABlock_ = std::min((kBlockCells - 0.01f) * kPlaceUnit / step, 1024.0f);
     }
 
     /// Pixels left <= x < right of row y, all counted in the tile.
     void fill(int y, int left, int right)
     {
-        const D d;
-        const DI di;
         setRow(y);
-        for (int x = left; x < right; x += static_cast<int>(hn::Lanes(d))) {
-            const M drawn = drawnPixels(x, y, right);
-            const std::size_t count = hn::CountTrue(d, drawn);
-            if (count == 0) continue;
-            const V px = hn::Iota(d, static_cast<float>(x - left_));
-            const V w = frame_.perspective ? clipW(px) : hn::Set(d, 1.0f);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const V place = hn::Mul(valuesAt(place_[axis], px), w);
-                store(hn::Min(hn::Max(place, hn::Set(d, polygon_.lower[axis])),
-                              hn::Set(d, polygon_.upper[axis])),
-                      drawn, fragments_.place[axis]);
+        constexpr int kStep = kLanes;
+        for (int x = left; x < right; x += kStep) {
+            Mask drawn = drawnPixels(x, y, right);
+            if (hn::AllFalse(kFloats, drawn)) continue;
+            const Floats px = hn::Iota(kFloats, static_cast<float>(x - left_));
+            const Floats w = frame_.perspective ? clipW(px) : hn::Set(kFloats, 1.0f);
+            const Ints place[3] = {placeAt(0, px, w), placeAt(1, px, w), placeAt(2, px, w)};
+            if (blocks_.any()) {
+                const Ints distance = blocks_.distance(place[0], place[1], place[2]);
+                drawn = hn::And(drawn, hn::RebindMask(kFloats, distance == hn::Zero(kInts)));
+                if (hn::AllFalse(kFloats, drawn)) {
+                    x += pixelsPast(distance);
+                    continue;
+                }
             }
-            for (std::size_t c = 0; frame_.vertexColor && c < 4; ++c)
-                store(hn::Mul(valuesAt(color_[c], px), w), drawn, fragments_.color[c]);
-            hn::CompressStore(hn::Iota(di, y * kTileSide + x), hn::RebindMask(di, drawn), di,
-                              fragments_.pixel.data() + fragments_.count);
-            fragments_.count += count;
+            store(place, px, w, hn::Iota(kInts, y * kTileSide + x), drawn);
         }
     }
 
@@ -371,7 +396,6 @@ private:
     void setRow(int tileRow)
     {
         const int y = tileRow + tile_.y;
-        left_ = polygon_.box.x0 - tile_.x;
         for (std::size_t axis = 0; axis < 3; ++axis)
             place_[axis] = rowOf(polygon_.place[axis], y);
         if (frame_.perspective) inverseW_ = rowOf(polygon_.inverseW, y);
@@ -380,65 +404,91 @@ private:
             color_[c] = rowOf(polygon_.color[c], y);
     }
 
-    V clipW(V px) const
+    HWY_INLINE Floats clipW(Floats px) const
     {
-        const D d;
-        return hn::Div(hn::Set(d, 1.0f),
-                       hn::Max(valuesAt(inverseW_, px), hn::Set(d, polygon_.smallestInverseW)));
+        return hn::Set(kFloats, 1.0f) /
+               hn::Max(inverseW_.at(px), hn::Set(kFloats, polygon_.smallestInverseW));
     }
 
-    M drawnPixels(int x, int y, int right) const
+    HWY_INLINE Ints placeAt(std::size_t axis, Floats px, Floats w) const
     {
-        const D d;
-        M drawn = hn::FirstN(d, static_cast<std::size_t>(right - x));
-        if (frame_.terminates)
-            drawn = hn::And(drawn, hn::Gt(hn::LoadU(d, &tile_.transmittance[at(x, y)]), hn::Set(d, kOpaque)));
+        const Floats place = hn::Max(place_[axis].at(px) * w, hn::Set(kFloats, polygon_.lower[axis]));
+        return toNearest(hn::Min(place, hn::Set(kFloats, polygon_.upper[axis])));
+    }
+
+    HWY_INLINE Mask drawnPixels(int x, int y, int right) const
+    {
+        Mask drawn = hn::FirstN(kFloats, static_cast<std::size_t>(right - x));
+        if (frame_.terminates) {
+            const Floats through =
+                hn::LoadU(kFloats, tile_.transmittance.data() + static_cast<std::size_t>(y * kTileSide + x));
+            drawn = hn::And(drawn, through > hn::Set(kFloats, kOpaque));
+        }
         if (!frame_.depth.depths.empty()) drawn = hn::And(drawn, inFront(x, y, right));
         return drawn;
     }
 
-    M inFront(int x, int y, int right) const
+    Mask inFront(int x, int y, int right) const
     {
-        const D d;
         alignas(64) std::array<float, 16> there{};
         const float* row = frame_.depth.depths.data() +
                            static_cast<std::size_t>(tile_.y + y) * static_cast<std::size_t>(frame_.width) +
                            static_cast<std::size_t>(tile_.x + x);
-        const auto count = std::min(static_cast<std::size_t>(right - x), hn::Lanes(d));
-        std::copy_n(row, count, there.begin());
-        const V opaque = hn::Load(d, there.data());
-        const V here = valuesAt(depth_, hn::Iota(d, static_cast<float>(x - left_)));
-        return frame_.depth.orEqual ? hn::Le(here, opaque) : hn::Lt(here, opaque);
+        std::copy_n(row, std::min(static_cast<std::size_t>(right - x), hn::Lanes(kFloats)), there.begin());
+        const Floats opaque = hn::Load(kFloats, there.data());
+        const Floats here = depth_.at(hn::Iota(kFloats, static_cast<float>(x - left_)));
+        return frame_.depth.orEqual ? here <= opaque : here < opaque;
     }
 
-    static std::size_t at(int x, int y) { return static_cast<std::size_t>(y * kTileSide + x); }
-
-    void store(V values, M drawn, std::array<float, kStored>& target) const
+    /// How many pixels more than a vector's lie in blocks that are left out.
+    HWY_INLINE int pixelsPast(Ints distance) const
     {
-        hn::CompressStore(values, drawn, D(), target.data() + fragments_.count);
+        alignas(64) std::array<std::int32_t, 16> lanes;
+        hn::Store(distance, kInts, lanes.data());
+        const int blocks = lanes[hn::Lanes(kInts) - 1] - 1;
+        return blocks > 0 ? static_cast<int>(pixelsABlock_ * static_cast<float>(blocks)) : 0;
+    }
+
+    HWY_INLINE void store(const Ints (&place)[3], Floats px, Floats w, Ints pixel, Mask drawn)
+    {
+        const std::size_t at = fragments_.count;
+        const bool all = hn::AllTrue(kFloats, drawn);
+        const auto write = [&](auto values, auto tag, auto* target) {
+            if (all)
+                hn::StoreU(values, tag, target + at);
+            else
+                hn::CompressStore(values, hn::RebindMask(tag, drawn), tag, target + at);
+        };
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            write(place[axis], kInts, fragments_.place[axis].data());
+        for (std::size_t c = 0; frame_.vertexColor && c < 4; ++c)
+            write(color_[c].at(px) * w, kFloats, fragments_.color[c].data());
+        write(pixel, kInts, fragments_.pixel.data());
+        fragments_.count += all ? hn::Lanes(kFloats) : hn::CountTrue(kFloats, drawn);
     }
 
     const FillFrame& frame_;
     const FillPolygon& polygon_;
     const FillTile& tile_;
     Fragments& fragments_;
-    int left_ = 0;
+    BlockTest blocks_;
+    int left_;
+    float pixelsABlock_ = 0.0f;
     RowValue place_[3] = {}, inverseW_ = {}, depth_ = {}, color_[4] = {};
 };
 
 void fillTileOfTarget(const FillFrame& frame, std::span<const PolygonRows> polygons, FillTile& tile)
 {
     Fragments fragments;
-    int brick = -1;
+    int sampler = -1;
     const auto flush = [&] {
         if (fragments.count == 0) return;
-        shadeFragments(frame, frame.bricks[static_cast<std::size_t>(brick)], tile, fragments);
-        blendFragments(frame.blending, fragments, tile);
+        drawFragments(frame, frame.samplers[static_cast<std::size_t>(sampler)], tile, fragments);
         fragments.count = 0;
     };
     for (const PolygonRows& p : polygons) {
-        if (p.polygon->brick != brick) flush();
-        brick = p.polygon->brick;
+        if (p.polygon->sampler != sampler) flush();
+        sampler = p.polygon->sampler;
         const PixelBox& box = p.polygon->box;
         RowFiller filler(frame, *p.polygon, tile, fragments);
         const int end = std::min(box.y1, tile.y + kTileSide);
@@ -455,7 +505,8 @@ void fillTileOfTarget(const FillFrame& frame, std::span<const PolygonRows> polyg
 }
 
 } // namespace
-} // namespace vo::HWY_NAMESPACE
+} // namespace HWY_NAMESPACE
+} // namespace vo
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

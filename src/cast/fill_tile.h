@@ -2,6 +2,10 @@
 
 #include "cast/cast_request.h"
 #include "cast/row_spans.h"
+#include "cast/shading_plan.h"
+#include "cast/voxel_grid.h"
+
+#include <glm/vec3.hpp>
 
 #include <cstdint>
 #include <span>
@@ -11,17 +15,27 @@ namespace vo {
 
 constexpr int kTileSide = 64; ///< pixels
 
-/// How the texels of a brick lie in memory: one channel of bytes, shorts or floats as the caller holds them,
-/// or any other, which filteredTexel reads.
-enum class TexelStorage { byte1, short1, float1, any };
+/// What samples are taken from: a grid, which several bricks may share, or one brick that makes none.
+struct FillSampler
+{
+    const VoxelGrid* grid = nullptr; ///< nullptr: `texels`, places are those of filteredTexel
+    BrickTexels texels;
+    const std::uint8_t* blockDistance = nullptr; ///< EmptyBlocks of the grid; nullptr: every sample is taken
+    const ShadingPlan* plan = nullptr;           ///< with colours of vertices, as if they were 1
+    bool keepsAlpha = false;                     ///< replacing leaves the colour's alpha
+};
 
-/// A brick ready to be sampled.
+/// Places of samples are counted in so many parts of a voxel.
+constexpr double kPlaceParts = 32768.0;
+
+/// From voxel coordinates to the places of a sampler, in voxels.
 struct FillBrick
 {
-    TexelStorage storage = TexelStorage::any;
-    BrickTexels texels;
-    bool oneChannel = false; ///< red stands for all
-    bool hasAlpha = true;
+    int sampler = 0;
+    glm::dvec3 scale{1.0};
+    glm::dvec3 shift{0.0};
+    glm::dvec3 lower{0.0}; ///< of places that can be sampled
+    glm::dvec3 upper{0.0};
 };
 
 /// A number that changes linearly over the window: `value` in the middle of the pixel (x0, y0) of a polygon's
@@ -36,13 +50,13 @@ struct WindowGradient
 /// A polygon to fill. With perspective, place and color are those times inverseW.
 struct FillPolygon
 {
-    int brick = 0;
+    int sampler = 0;
     PixelBox box;
     std::size_t firstRow = 0; ///< of its spans, one a row of the box
     WindowGradient inverseW;
     float smallestInverseW = 0.0f;
-    WindowGradient place[3]; ///< texels from the middle of the brick's first
-    float lower[3] = {};     ///< bounds of place, inside the polygon and the brick
+    WindowGradient place[3]; ///< 1 / kPlaceParts voxel
+    float lower[3] = {};     ///< bounds of place, inside the polygon and the sampler
     float upper[3] = {};
     WindowGradient depth;
     WindowGradient color[4];
@@ -58,9 +72,12 @@ struct FillFrame
     bool opacityPerLength = false;
     bool terminates = false; ///< opacities are 0 to 1
     CastDepth depth;
-    int width = 0;
-    int height = 0;
-    std::span<const FillBrick> bricks;
+    int width = 0; ///< of the viewport
+    std::span<const FillSampler> samplers;
+    /// A table after interpolation for samples of one channel: for each entry red, green, blue, alpha, and
+    /// what is added to them on the way to the next; the current colour is worked in. Empty: none, or not
+    /// alike for all polygons.
+    std::span<const float> entries;
 
     /// What a channel holds where nothing is drawn.
     float nothing() const;
@@ -76,7 +93,7 @@ struct FillTile
     std::vector<float> units;         ///< lengths that a sample stands for, with opacityPerLength
 };
 
-/// What was drawn behind that much or less of a pixel's light is left out; no channel changes by more, times
+/// What lies behind so little of a pixel's light is left out: a channel changes by no more than that times
 /// the largest value that fragments have.
 constexpr float kOpaque = 1.0f / 4096.0f;
 

@@ -59,8 +59,9 @@ std::int32_t snapped(double pixels)
 
 } // namespace
 
-PolygonSetup::PolygonSetup(const CastRequest& request, std::span<const float> records)
-    : request_(request), records_(records), projection_(request)
+PolygonSetup::PolygonSetup(const CastRequest& request, std::span<const FillBrick> bricks,
+                           std::span<const float> records)
+    : request_(request), bricks_(bricks), records_(records), projection_(request)
 {
 }
 
@@ -119,28 +120,32 @@ PolygonSetup::Basis PolygonSetup::findBasis() const
     return basis;
 }
 
-void PolygonSetup::setGradients(const CastBrick& brick, FillPolygon& polygon) const
+void PolygonSetup::setGradients(const FillBrick& brick, FillPolygon& polygon) const
 {
     const Basis basis = findBasis();
     const WindowVertex &a = seen_[basis.origin], &b = seen_[basis.first], &c = seen_[basis.second];
     const LinearFit fit(windowPlace(a), windowPlace(b), windowPlace(c),
                         {polygon.box.x0 + 0.5, polygon.box.y0 + 0.5});
     const bool perspective = projection_.perspective();
-    const auto scaled = [&](const WindowVertex& v, double value) {
-        return perspective ? value * v.inverseW : value;
+    const auto fitScaled = [&](auto valueOf) {
+        const auto scaled = [&](const WindowVertex& v) {
+            return perspective ? valueOf(v) * v.inverseW : valueOf(v);
+        };
+        return fit(scaled(a), scaled(b), scaled(c));
     };
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const double texels = static_cast<double>(brick.texels.size[axis]) / brick.size[axis];
-        const auto texel = [&](const WindowVertex& v) {
-            return (v.values[i] - brick.origin[axis]) * texels - 0.5;
+        const auto place = [&](const WindowVertex& v) {
+            return kPlaceParts * (v.values[i] * brick.scale[axis] + brick.shift[axis]);
         };
-        polygon.place[i] = fit(scaled(a, texel(a)), scaled(b, texel(b)), scaled(c, texel(c)));
-        const auto [low, high] =
-            std::ranges::minmax(seen_, {}, [&](const WindowVertex& v) { return texel(v); });
-        const double last = brick.texels.size[axis] - 1.0;
-        polygon.lower[i] = static_cast<float>(std::clamp(texel(low), 0.0, last));
-        polygon.upper[i] = static_cast<float>(std::clamp(texel(high), 0.0, last));
+        const auto inside = [&](double p) {
+            return static_cast<float>(
+                std::clamp(p, kPlaceParts * brick.lower[axis], kPlaceParts * brick.upper[axis]));
+        };
+        polygon.place[i] = fitScaled(place);
+        const auto [low, high] = std::ranges::minmax(seen_, {}, place);
+        polygon.lower[i] = inside(place(low));
+        polygon.upper[i] = inside(place(high));
     }
     if (perspective) {
         polygon.inverseW = fit(a.inverseW, b.inverseW, c.inverseW);
@@ -148,9 +153,8 @@ void PolygonSetup::setGradients(const CastBrick& brick, FillPolygon& polygon) co
             static_cast<float>(std::ranges::min(seen_, {}, &WindowVertex::inverseW).inverseW);
     }
     if (!request_.depth.depths.empty()) polygon.depth = fit(a.depth, b.depth, c.depth);
-    for (std::size_t i = 0; request_.layout.color >= 0 && i < 4; ++i)
-        polygon.color[i] =
-            fit(scaled(a, a.values[3 + i]), scaled(b, b.values[3 + i]), scaled(c, c.values[3 + i]));
+    for (std::size_t i = 3; request_.layout.color >= 0 && i < PolygonVertex::kValues; ++i)
+        polygon.color[i - 3] = fitScaled([i](const WindowVertex& v) { return v.values[i]; });
 }
 
 void PolygonSetup::append(int brick, std::span<const std::uint32_t> fan, FillList& list)
@@ -163,12 +167,12 @@ void PolygonSetup::append(int brick, std::span<const std::uint32_t> fan, FillLis
         snapped_.push_back({snapped(vertex.x), snapped(vertex.y)});
 
     FillPolygon polygon;
-    polygon.brick = brick;
+    polygon.sampler = bricks_[static_cast<std::size_t>(brick)].sampler;
     polygon.firstRow = list.rows.size();
     int layers = 0;
     polygon.box = appendRowSpans(snapped_, request_.width, request_.height, list.rows, layers);
     if (layers == 0) return;
-    setGradients(request_.bricks[static_cast<std::size_t>(brick)], polygon);
+    setGradients(bricks_[static_cast<std::size_t>(brick)], polygon);
     for (int layer = 0; layer < layers; ++layer) {
         list.polygons.push_back(polygon);
         polygon.firstRow += static_cast<std::size_t>(polygon.box.y1 - polygon.box.y0);

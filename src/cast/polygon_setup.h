@@ -28,7 +28,9 @@ struct FillList
 class PolygonSetup
 {
 public:
-    PolygonSetup(const CastRequest& request, std::span<const float> records);
+    /// `bricks` as the request has them.
+    PolygonSetup(const CastRequest& request, std::span<const FillBrick> bricks,
+                 std::span<const float> records);
 
     /// Appends what is seen of the polygon that triangles (three indices each) make as a fan: (b, c, a),
     /// (c, d, a) and so on.
@@ -43,9 +45,10 @@ private:
         std::size_t origin, first, second;
     };
     Basis findBasis() const;
-    void setGradients(const CastBrick& brick, FillPolygon& polygon) const;
+    void setGradients(const FillBrick& brick, FillPolygon& polygon) const;
 
     const CastRequest& request_;
+    std::span<const FillBrick> bricks_;
     std::span<const float> records_;
     WindowProjection projection_;
     std::vector<PolygonVertex> polygon_;

@@ -83,6 +83,7 @@ void doDeferredWork(Registry& all, ContextRecord& record)
 {
     for (const std::uint64_t id : record.doomedTextures) {
         record.rayCaster.forget(id);
+        record.polygonFiller.forget(id);
         const auto found = record.textures.find(id);
         if (found == record.textures.end()) continue;
         record.textureIds.erase(found->second.name);

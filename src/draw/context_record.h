@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cast/cast_picture.h"
+#include "cast/fill_polygons.h"
 #include "cast/ray_cast.h"
 #include "core/volume_size.h"
 #include "draw/platform_context.h"
@@ -149,6 +150,7 @@ public:
     GLuint pictureVertexArray = 0; ///< without attributes
 
     RayCaster rayCaster;
+    PolygonFiller polygonFiller;
     CastPicture picture;                        ///< of the last frame that was cast
     std::vector<float> depths;                  ///< of what is there, while a frame is cast
     std::array<std::uint64_t, 2> framesDrawn{}; ///< by Engine

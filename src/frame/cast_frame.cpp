@@ -104,7 +104,7 @@ void fill(ContextRecord& context, const FrameRequest& request, const Camera& cam
     std::vector<PolygonRun> runs;
     for (const PolygonCache::Run& run : order)
         runs.push_back({run.brick, run.first, run.count});
-    fillPolygons(cast, {cache.records(), cache.indices(), runs}, context.picture);
+    context.polygonFiller.fill(cast, {cache.records(), cache.indices(), runs}, context.picture);
 }
 
 } // namespace

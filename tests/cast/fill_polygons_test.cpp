@@ -3,6 +3,7 @@
 #include "cast/fill_scene.h"
 #include "support/compare.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -476,7 +477,7 @@ TEST_F(FillPolygons, flatPolygonsHaveTheColourOfTheirFirstVertex)
     const std::vector<std::uint32_t> indices{1, 2, 0, 2, 3, 0};
     const std::vector<PolygonRun> runs{{0, 0, 6}};
     CastPicture picture;
-    fillPolygons(request, {records, indices, runs}, picture);
+    PolygonFiller().fill(request, {records, indices, runs}, picture);
     ASSERT_EQ(picture.width, scene.width);
     for (std::size_t i = 0; i < picture.rgbt.size(); ++i)
         EXPECT_FLOAT_EQ(picture.rgbt[i], i % 4 < 3 ? 0.1f * static_cast<float>(i % 4 + 1) : 1.0f);
@@ -516,7 +517,7 @@ TEST_F(FillPolygons, polygonsThatAreNotFiniteAreLeftOut)
     const std::vector<std::uint32_t> indices{0, 1, 2, 3, 1, 0};
     const std::vector<PolygonRun> runs{{0, 0, 6}};
     CastPicture picture;
-    fillPolygons(fill.request(), {records, indices, runs}, picture);
+    PolygonFiller().fill(fill.request(), {records, indices, runs}, picture);
     EXPECT_EQ(picture.width, 0);
 }
 
@@ -535,6 +536,62 @@ TEST_F(FillPolygons, requestsThatCannotBeFilledAreRefusedWithAReason)
     EXPECT_NE(fillRefusal(request).find("no voxels"), std::string::npos);
     request.bricks = {};
     EXPECT_NE(fillRefusal(request), "");
+}
+
+/// What is kept of voxels, and its end.
+TEST_F(FillPolygons, changedVoxelsAndTablesShow)
+{
+    for (const int bricks : {1, 2}) {
+        FillScene fill(scene, {.bricks = bricks});
+        expectPicture(fill.drawn(), referencePicture(scene));
+        const Table other{colorTable(32)};
+        fill.request().shading.table = &other;
+        Scene changed = scene;
+        changed.table = other.rgba;
+        expectPicture(fill.drawn(), referencePicture(changed));
+
+        const Field noise = quantised(noiseField(field.size, 9));
+        changed.volume = &noise;
+        FillScene noisy(changed, {.bricks = bricks});
+        for (std::size_t i = 0; i < fill.bricks().size(); ++i) {
+            fill.bricks()[i].texels.voxels = noisy.bricks()[i].texels.voxels;
+            ++fill.bricks()[i].version;
+        }
+        expectPicture(fill.drawn(), referencePicture(changed));
+    }
+}
+
+TEST_F(FillPolygons, forgottenBricksTakeNoMemory)
+{
+    FillScene fill(scene, {.bricks = 2});
+    static_cast<void>(fill.fill());
+    const std::size_t kept = fill.filler().bytes();
+    EXPECT_GT(kept, field.values.size());
+    fill.filler().forget(1);
+    EXPECT_LT(fill.filler().bytes(), kept / 2);
+    EXPECT_GT(fill.fill().width, 0);
+}
+
+TEST_F(FillPolygons, bricksThatDisagreeAreSampledEachOnItsOwn)
+{
+    // Without overlap every brick ends at its own outermost voxels: here all its voxels are the same.
+    field = constantField({16, 16, 16}, 0.0);
+    for (int z = 0; z < 16; ++z)
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x)
+                field.at(x, y, z) = static_cast<float>(1 + (x / 8) + 2 * (y / 8) + 4 * (z / 8)) / 8.0f;
+    field = quantised(field);
+    scene.overlap = 0;
+    scene.classification = Classification::none;
+    scene.color = {1, 1, 1, 0.2};
+    look({20, 30});
+    FillScene fill(scene, {.bricks = 2});
+    expectPicture(fill.drawn(), fill.reference([&](const glm::dvec3& p, const std::array<double, 4>&) {
+        const glm::ivec3 voxel(glm::clamp(p, 0.0, 15.9));
+        const double value = double(field.at(voxel.x, voxel.y, voxel.z));
+        return std::array{value, value, value, value};
+    }),
+                  40.0);
 }
 
 } // namespace

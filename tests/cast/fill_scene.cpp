@@ -171,7 +171,7 @@ CastPicture FillScene::fill()
                           [&](const PolygonRun& run) { return place[static_cast<std::size_t>(run.brick)]; });
     }
     CastPicture picture;
-    fillPolygons(request_, {cache_.records(), cache_.indices(), runs}, picture);
+    filler_.fill(request_, {cache_.records(), cache_.indices(), runs}, picture);
     return picture;
 }
 

@@ -44,6 +44,7 @@ public:
 
     CastRequest& request() { return request_; }
     std::vector<CastBrick>& bricks() { return bricks_; }
+    PolygonFiller& filler() { return filler_; }
     /// Makes the polygons and fills them.
     CastPicture fill();
     /// The same over the scene's background: four floats a pixel, rows from the bottom, fourth 0.
@@ -74,6 +75,7 @@ private:
     std::unique_ptr<Table> table_;
     CastRequest request_;
     PolygonCache cache_;
+    PolygonFiller filler_;
 };
 
 } // namespace vo::test
