@@ -5,7 +5,7 @@
 namespace vo {
 
 /// What a frame adds to what is there: the pixels of a rectangle of the viewport, rows from the bottom.
-/// over: red, green, blue weighted with alpha, and the part of what is behind that shows through
+/// over and premultiplied: red, green, blue as they add up, and the part of what is behind that shows through
 /// (result = rgb + transmittance * behind); `alpha` is what GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA leaves over
 /// an alpha of 0. Others: red, green, blue and alpha of the blended fragments; pixels without any hold what
 /// changes nothing (0 for sums, minus infinity for max, infinity for min), and `alpha` is empty.

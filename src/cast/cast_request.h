@@ -31,9 +31,17 @@ struct CastBrick
     int thinAxis = -1;      ///< of a brick of a stack: sampled without interpolation across it
 };
 
-/// How fragments join: over is GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA; sum is GL_ONE, GL_ONE; alphaSum is
-/// GL_SRC_ALPHA, GL_ONE; max and min are GL_MAX and GL_MIN. Alpha is blended like the colours.
-enum class CastBlending { over, max, min, sum, alphaSum };
+/// How fragments join: over is GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA; premultiplied is GL_ONE,
+/// GL_ONE_MINUS_SRC_ALPHA for colours and GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA for alpha; sum is GL_ONE,
+/// GL_ONE; alphaSum is GL_SRC_ALPHA, GL_ONE; max and min are GL_MAX and GL_MIN. Alpha is blended like the
+/// colours.
+enum class CastBlending { over, premultiplied, max, min, sum, alphaSum };
+
+/// Fragments hide what lies behind them.
+constexpr bool hidesBehind(CastBlending blending)
+{
+    return blending == CastBlending::over || blending == CastBlending::premultiplied;
+}
 
 /// What becomes of a sample, as programs.cpp has it: the table, then the texture environment.
 struct CastShading

@@ -17,6 +17,7 @@ bool addsNothing(const float* ranges, int channels, const ShadingPlan& plan, Cas
     switch (blending) {
     case CastBlending::over:
     case CastBlending::alphaSum: return zero(3);
+    case CastBlending::premultiplied:
     case CastBlending::sum: return zero(0) && zero(1) && zero(2) && zero(3);
     case CastBlending::max:
     case CastBlending::min: break;

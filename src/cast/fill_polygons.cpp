@@ -354,6 +354,7 @@ std::string fillRefusal(const CastRequest& request)
         return "the viewport is " + std::to_string(request.width) + " x " + std::to_string(request.height) +
                " pixels, not 1 to " + std::to_string(kMostPixels);
     if (request.bricks.empty()) return "there are no voxels";
+    if (request.blending == CastBlending::premultiplied) return "colours are not weighted with alpha";
     for (const CastBrick& brick : request.bricks)
         if (brick.texels.voxels.size() / voxelBytes(brick.texels.format) < brick.texels.size.count())
             return "a brick has no voxels in memory";

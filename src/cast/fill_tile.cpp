@@ -283,6 +283,7 @@ void blend(CastBlending blending, const Fragments& fragments, const Colors& colo
         return updatePixels(
             fragments, colors, tile,
             [&](std::size_t i, std::size_t) { return hn::Set(kFour, colors.alpha(i)); }, weighted);
+    case CastBlending::premultiplied: return; // fillRefusal has no such frames
     case CastBlending::sum:
         return updatePixels(fragments, colors, tile, nothing, [](Four a, Four b, int) { return a + b; });
     case CastBlending::max:

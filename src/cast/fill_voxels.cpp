@@ -22,6 +22,7 @@ bool leavesBlocksOut(CastBlending blending)
     case CastBlending::over:
     case CastBlending::sum:
     case CastBlending::alphaSum: return true;
+    case CastBlending::premultiplied:
     case CastBlending::max:
     case CastBlending::min: break;
     }

@@ -184,7 +184,7 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     const std::size_t count =
         static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     picture.rgbt.resize(4 * count);
-    picture.alpha.resize(request.blending == CastBlending::over ? count : 0);
+    picture.alpha.resize(hidesBehind(request.blending) ? count : 0);
 
     RayJob job;
     job.frame = &frame;

@@ -146,7 +146,8 @@ HWY_INLINE Floats opacityOver(Floats alpha, Floats units)
     power = hn::MulAdd(power, f, one);
     power = hn::MulAdd(power, f, one);
     const Ints scaled = hn::BitCast(kInts, power) + hn::ShiftLeft<23>(hn::NearestInt(whole));
-    return one - hn::BitCast(kFloats, scaled);
+    // The opaque stays opaque, over any length.
+    return hn::IfThenElse(alpha >= one, one, one - hn::BitCast(kFloats, scaled));
 }
 
 } // namespace HWY_NAMESPACE

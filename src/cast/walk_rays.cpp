@@ -241,11 +241,12 @@ struct Fragments
     }
 };
 
-/// Front to back, until nothing more is seen.
-class Over
+/// Front to back, until nothing more is seen. Colours count as much as their alpha says, or as they are.
+template <bool kPremultiplied>
+class Composite
 {
 public:
-    Over(const RayJob& job, const Packet& packet)
+    Composite(const RayJob& job, const Packet& packet)
         : grey_(job.shading->grey), perUnit_(job.gauge != nullptr), units_(hn::Load(kFloats, packet.units))
     {
     }
@@ -256,13 +257,14 @@ public:
         const Floats zero = hn::Zero(kFloats);
         const auto seen = hn::And(active, transmittance_ >= hn::Set(kFloats, kLeastTransmittance));
         Floats alpha = hn::IfThenElseZero(seen, source.alpha());
-        if (hn::AllTrue(kFloats, alpha == zero)) return;
+        if (kPremultiplied ? hn::AllFalse(kFloats, seen) : hn::AllTrue(kFloats, alpha == zero)) return;
         if (perUnit_) alpha = opacityOver(alpha, units_);
         const Floats weight = transmittance_ * alpha;
-        red_ = hn::MulAdd(weight, source.color(0), red_);
+        const Floats colorWeight = kPremultiplied ? hn::IfThenElseZero(seen, transmittance_) : weight;
+        red_ = hn::MulAdd(colorWeight, source.color(0), red_);
         if (!grey_) {
-            green_ = hn::MulAdd(weight, source.color(1), green_);
-            blue_ = hn::MulAdd(weight, source.color(2), blue_);
+            green_ = hn::MulAdd(colorWeight, source.color(1), green_);
+            blue_ = hn::MulAdd(colorWeight, source.color(2), blue_);
         }
         alpha_ = hn::MulAdd(weight, alpha, alpha_);
         transmittance_ = transmittance_ - weight;
@@ -305,6 +307,9 @@ private:
     Floats transmittance_ = hn::Set(kFloats, 1.0f);
 };
 
+using Over = Composite<false>;
+using Premultiplied = Composite<true>;
+
 float startOf(CastBlending blending)
 {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -312,6 +317,7 @@ float startOf(CastBlending blending)
     case CastBlending::max: return -kInfinite;
     case CastBlending::min: return kInfinite;
     case CastBlending::over:
+    case CastBlending::premultiplied:
     case CastBlending::sum:
     case CastBlending::alphaSum: break;
     }
@@ -362,6 +368,7 @@ private:
         case CastBlending::min: return hn::Min(there, fragment);
         case CastBlending::alphaSum: return hn::MulAdd(fragment, alpha, there);
         case CastBlending::sum:
+        case CastBlending::premultiplied:
         case CastBlending::over: break;
         }
         return there + fragment;
@@ -587,6 +594,10 @@ template <class Sampler>
 void walkSamples(const RayJob& job, const PixelRectangle& tile)
 {
     const ShadingPlan& shading = *job.shading;
+    if (job.blending == CastBlending::premultiplied) {
+        if (shading.table) return walkTile<Sampler, TableShade, Premultiplied>(job, tile);
+        return walkTile<Sampler, LinearShade, Premultiplied>(job, tile);
+    }
     if (job.blending != CastBlending::over) {
         if (shading.table) return walkTile<Sampler, TableShade, Others>(job, tile);
         if (job.extremeOfRaw) return walkTile<Sampler, LinearShade, Extreme>(job, tile);

@@ -115,9 +115,9 @@ private:
 
 int alphaSource(const Blending& blending)
 {
-    if (blending.color != CastBlending::over) return 0;
+    if (!hidesBehind(blending.color)) return 0;
     switch (blending.alpha) {
-    case AlphaRule::likeColor: return 1;
+    case AlphaRule::squared: return 1;
     case AlphaRule::opacity: return 2;
     case AlphaRule::kept: return 3;
     }
@@ -163,7 +163,7 @@ void compositePicture(ContextRecord& context, const DrawState& draw, const Compo
     setUniforms(gl, program, draw, state, picture);
     if (context.pictureVertexArray == 0) gl.GenVertexArrays(1, &context.pictureVertexArray);
     gl.BindVertexArray(context.pictureVertexArray);
-    if (state.blending.color == CastBlending::over) gl.BlendFunc(GL_ONE, GL_SRC1_COLOR);
+    if (hidesBehind(state.blending.color)) gl.BlendFunc(GL_ONE, GL_SRC1_COLOR);
     if (state.blending.color == CastBlending::alphaSum) gl.BlendFunc(GL_ONE, GL_ONE);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

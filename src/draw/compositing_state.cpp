@@ -135,10 +135,11 @@ std::optional<Blending> readBlending(const ContextRecord& context)
                          integer(gl, GL_BLEND_DST_RGB)};
     const Equation alpha{integer(gl, GL_BLEND_EQUATION_ALPHA), integer(gl, GL_BLEND_SRC_ALPHA),
                          integer(gl, GL_BLEND_DST_ALPHA)};
-    if (color == kOver) {
-        if (alpha == kOver) return Blending{CastBlending::over, AlphaRule::likeColor};
-        if (alpha == kOpacity) return Blending{CastBlending::over, AlphaRule::opacity};
-        if (alpha == kKept) return Blending{CastBlending::over, AlphaRule::kept};
+    if (color == kOver || color == kOpacity) {
+        const CastBlending over = color == kOver ? CastBlending::over : CastBlending::premultiplied;
+        if (alpha == kOver) return Blending{over, AlphaRule::squared};
+        if (alpha == kOpacity) return Blending{over, AlphaRule::opacity};
+        if (alpha == kKept) return Blending{over, AlphaRule::kept};
         return std::nullopt;
     }
     if (color.mode != alpha.mode) return std::nullopt;

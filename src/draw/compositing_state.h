@@ -12,19 +12,20 @@ namespace vo {
 
 /// What the blend state does to the alpha that is there.
 enum class AlphaRule {
-    likeColor, ///< the same factors as for the colours
-    opacity,   ///< GL_ONE, GL_ONE_MINUS_SRC_ALPHA: what hides the background
-    kept,      ///< GL_ZERO, GL_ONE
+    squared, ///< GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, or with other equations that of the colours
+    opacity, ///< GL_ONE, GL_ONE_MINUS_SRC_ALPHA: what hides the background
+    kept,    ///< GL_ZERO, GL_ONE
 };
 
 struct Blending
 {
     CastBlending color = CastBlending::over;
-    AlphaRule alpha = AlphaRule::likeColor;
+    AlphaRule alpha = AlphaRule::squared;
 };
 
 /// The caller's blend state if it is one of those in which fragments can be joined before they are drawn: of
-/// the colours over, max, min, sum or alphaSum, and with over another rule for alpha. Nothing for all others.
+/// the colours over (premultiplied or not), max, min, sum or alphaSum, and with over a rule for alpha.
+/// Nothing for all others.
 std::optional<Blending> readBlending(const ContextRecord& context);
 
 /// The caller's state as far as it decides how fragments join what is there.

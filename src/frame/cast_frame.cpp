@@ -128,12 +128,14 @@ std::string drawCastFrame(ContextRecord& context, const FrameRequest& request, c
         if (!context.quirks.drawsOnProcessor) return "OpenGL has hardware of its own";
     }
     CompositingState state;
-    std::string obstacle = readCompositingState(context, draw, isUnbounded(context, request, draw), state);
+    const bool unbounded = isUnbounded(context, request, draw);
+    std::string obstacle = readCompositingState(context, draw, unbounded, state);
     if (!obstacle.empty()) return obstacle;
     const std::vector<CastBrick> bricks = castBricks(context, request.bricks);
     CastRequest cast = castRequest(context, request, draw, state, bricks);
     setOpacityGauge(context, camera, cast);
-    const std::string noRays = context.rayCaster.refusal(cast);
+    const std::string noRays = unbounded && hidesBehind(cast.blending) ? "opacities may lie outside 0 to 1"
+                                                                       : context.rayCaster.refusal(cast);
     if (!noRays.empty()) obstacle = fillRefusal(cast);
     if (!obstacle.empty()) return noRays + "; " + obstacle;
 

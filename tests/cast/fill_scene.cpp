@@ -189,7 +189,8 @@ std::vector<float> FillScene::drawn()
             float* to = &result[4 * static_cast<std::size_t>((picture.y + y) * scene_.width + picture.x + x)];
             for (int c = 0; c < 3; ++c)
                 switch (options_.blending) {
-                case CastBlending::over: to[c] = from[c] + from[3] * to[c]; break;
+                case CastBlending::over:
+                case CastBlending::premultiplied: to[c] = from[c] + from[3] * to[c]; break;
                 case CastBlending::max: to[c] = std::max(to[c], from[c]); break;
                 case CastBlending::min: to[c] = std::min(to[c], from[c]); break;
                 case CastBlending::sum:

@@ -238,7 +238,7 @@ TEST_F(EngineState, otherStatesAreDrawnAsSlices)
         enabled("depth clamp", GL_DEPTH_CLAMP),
         enabled("depths written", GL_DEPTH_TEST),
         {"no blending", [&] { g.Disable(GL_BLEND); }, [&] { g.Enable(GL_BLEND); }},
-        {"other factors", [&] { g.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); },
+        {"other factors", [&] { g.BlendFunc(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA); },
          [&] { g.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); }},
         {"other equation", [&] { g.BlendEquation(GL_FUNC_SUBTRACT); }, [&] { g.BlendEquation(GL_FUNC_ADD); }},
         {"lines", [&] { g.PolygonMode(GL_FRONT_AND_BACK, GL_LINE); },
@@ -334,15 +334,17 @@ TEST_F(EngineState, backgroundAndItsAlphaAreBlended)
     drawing_->draw();
     const GLenum alphaFactors[][2] = {
         {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}, {GL_ONE, GL_ONE_MINUS_SRC_ALPHA}, {GL_ZERO, GL_ONE}};
-    for (const auto& [source, destination] : alphaFactors) {
-        gl().BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, source, destination);
-        const Comparison comparison = compareOver(0.75f, 0.5f);
-        EXPECT_GE(comparison.psnrAll, 50.0) << comparison.summary();
-        EXPECT_LE(alphasOff_, kPixels * kPixels / 500) << source;
-        GLint factor = 0;
-        gl().GetIntegerv(GL_BLEND_SRC_ALPHA, &factor);
-        EXPECT_EQ(static_cast<GLenum>(factor), source) << "given back";
-    }
+    for (const GLenum colorSource : {GL_SRC_ALPHA, GL_ONE})
+        for (const auto& [source, destination] : alphaFactors) {
+            if (colorSource == GL_ONE) gl().Color4f(0.02f, 0.015f, 0.01f, 1);
+            gl().BlendFuncSeparate(colorSource, GL_ONE_MINUS_SRC_ALPHA, source, destination);
+            const Comparison comparison = compareOver(0.75f, 0.5f);
+            EXPECT_GE(comparison.psnrAll, 50.0) << colorSource << " " << comparison.summary();
+            EXPECT_LE(alphasOff_, kPixels * kPixels / 500) << source;
+            GLint factor = 0;
+            gl().GetIntegerv(GL_BLEND_SRC_ALPHA, &factor);
+            EXPECT_EQ(static_cast<GLenum>(factor), source) << "given back";
+        }
     gl().BlendFunc(GL_SRC_ALPHA, GL_ONE);
     EXPECT_GE(compareOver(0.75f, 0.5f).psnrAll, 50.0);
 }
