@@ -31,19 +31,22 @@ constexpr std::size_t kMostCounters = std::size_t{1} << 23;
 struct Item
 {
     std::uint32_t tetra;
-    std::int32_t box; ///< that holds all of it; -1: the polygons are those kept aside
+    std::int32_t box;                  ///< that holds all of it; -1: the polygons are those kept aside
+    std::array<std::uint8_t, 4> order; ///< of its corners, as TetraToSlice has them
+    bool mirrored;                     ///< in this order
     std::array<std::int32_t, 4> firstInFront;
     std::uint32_t firstAside; ///< of the part's polygons kept aside
     std::uint32_t asideCount;
-    bool mirrored; ///< its first two corners change places
 };
 
 /// What is known of a vertex: the planes, and the interval of boxes on each axis or what intervalAt() says.
 struct VertexPlace
 {
-    double offset;
+    PlacedVertex at;
     std::int32_t firstInFront;
     std::array<std::int32_t, 3> interval;
+
+    glm::dvec3 position() const { return {at.position[0], at.position[1], at.position[2]}; }
 };
 
 struct AsidePolygon
@@ -147,22 +150,21 @@ public:
 private:
     void lookAt(std::size_t tetra)
     {
-        Item item{static_cast<std::uint32_t>(tetra), -1, {}, 0, 0, false};
+        Item item{static_cast<std::uint32_t>(tetra), -1, {}, false, {}, 0, 0};
         std::array<const VertexPlace*, 4> places;
-        std::array<glm::dvec3, 4> p;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const int vertex = job_.tetras.indices[4 * tetra + i];
-            places[i] = job_.places + vertex;
-            p[i] = job_.tetras.position(vertex);
+        for (std::size_t i = 0; i < 4; ++i)
+            places[i] = job_.places + job_.tetras.indices[4 * tetra + i];
+        const std::array<glm::dvec3, 4> p{places[0]->position(), places[1]->position(), places[2]->position(),
+                                          places[3]->position()};
+        const bool odd = orderCorners(tetra, places, item);
+        for (std::size_t i = 0; i < 4; ++i)
             item.firstInFront[i] = places[i]->firstInFront;
-        }
-        if (job_.own) findOwnPlanes(tetra, p, item);
+        if (job_.own) findOwnPlanes(tetra, places, item);
         const auto [begin, end] = std::ranges::minmax(item.firstInFront);
         if (begin == end || !findBox(places, item)) return;
         const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0]));
         if (!(std::abs(volume) > 0.0) || !std::isfinite(volume)) return;
-        item.mirrored = volume < 0.0;
-        if (item.mirrored) std::swap(item.firstInFront[0], item.firstInFront[1]);
+        item.mirrored = (volume < 0.0) != odd;
         if (item.box >= 0)
             count(item);
         else
@@ -170,11 +172,44 @@ private:
         *part_.items.grow(1) = item;
     }
 
-    void findOwnPlanes(std::size_t tetra, const std::array<glm::dvec3, 4>& p, Item& item) const
+    /// Sorts the corners. True: an odd number of them changed places.
+    bool orderCorners(std::size_t tetra, std::array<const VertexPlace*, 4>& places, Item& item) const
+    {
+        std::array<unsigned, 4> rank{};
+        unsigned odd = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = i + 1; j < 4; ++j) {
+                const unsigned swapped = comesBefore(tetra, j, i, places) ? 1 : 0;
+                rank[i] += swapped;
+                rank[j] += 1 - swapped;
+                odd ^= swapped;
+            }
+        const std::array<const VertexPlace*, 4> given = places;
+        for (std::size_t i = 0; i < 4; ++i) {
+            places[rank[i]] = given[i];
+            item.order[rank[i]] = static_cast<std::uint8_t>(i);
+        }
+        return odd != 0;
+    }
+
+    bool comesBefore(std::size_t tetra, std::size_t a, std::size_t b,
+                     const std::array<const VertexPlace*, 4>& places) const
+    {
+        const auto &p = places[a]->at.position, &q = places[b]->at.position;
+        const bool sameX = p[0] == q[0], sameY = p[1] == q[1];
+        if (sameX & sameY & (p[2] == q[2])) [[unlikely]] {
+            const std::ptrdiff_t rest = job_.tetras.valuesPerVertex - 3;
+            const float *r = job_.corner(tetra, a), *s = job_.corner(tetra, b);
+            return std::lexicographical_compare(r, r + rest, s, s + rest);
+        }
+        return (p[0] < q[0]) | (sameX & ((p[1] < q[1]) | (sameY & (p[2] < q[2]))));
+    }
+
+    void findOwnPlanes(std::size_t tetra, const std::array<const VertexPlace*, 4>& places, Item& item) const
     {
         const PlaneFamily planes = job_.planesOf(tetra);
         for (std::size_t i = 0; i < 4; ++i)
-            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, glm::dot(planes.normal, p[i]));
+            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, places[i]->at.offset);
     }
 
     /// False: the tetrahedron is outside of all boxes.
@@ -223,8 +258,12 @@ private:
         if (part_.corners.size() < 4 * size) part_.corners.resize(4 * size);
         std::array<const double*, 4> records;
         std::array<double, 4> offsets;
+        if (item.mirrored) {
+            std::swap(item.order[0], item.order[1]);
+            std::swap(item.firstInFront[0], item.firstInFront[1]);
+        }
         for (std::size_t i = 0; i < 4; ++i) {
-            const float* source = job_.corner(tetra, item.mirrored && i < 2 ? 1 - i : i);
+            const float* source = job_.corner(tetra, item.order[i]);
             double* record = part_.corners.data() + i * size;
             for (std::size_t value = 0; value < size; ++value)
                 record[value] = static_cast<double>(source[value]) + 0.0; // -0 and 0 are one place
@@ -264,8 +303,9 @@ void placeVertex(const Job& job, const BoxLattice& lattice, std::size_t vertex, 
     const float* record = job.tetras.record(static_cast<int>(vertex));
     const float* p = record + job.tetras.valuesPerVertex - 3;
     const float* voxel = job.tetras.voxelColumn >= 0 ? record + job.tetras.voxelColumn : p;
-    place.offset = glm::dot(job.planes.normal, glm::dvec3(p[0], p[1], p[2]));
-    place.firstInFront = firstPlaneInFront(job.planes, job.nearest, place.offset);
+    place.at.position = {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
+    place.at.offset = glm::dot(job.planes.normal, place.position());
+    place.firstInFront = firstPlaneInFront(job.planes, job.nearest, place.at.offset);
     for (int axis = 0; axis < 3; ++axis)
         place.interval[static_cast<std::size_t>(axis)] = lattice.intervalAt(axis, voxel[axis]);
 }
@@ -299,12 +339,11 @@ void writePart(const Job& job, Part& part)
             writeAside(job, part, item);
             continue;
         }
-        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, {}, item.firstInFront};
+        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, {}, item.firstInFront, item.mirrored};
         for (std::size_t i = 0; i < 4; ++i) {
-            const std::size_t from = item.mirrored && i < 2 ? 1 - i : i;
-            const int vertex = job.tetras.indices[4 * item.tetra + from];
+            const int vertex = job.tetras.indices[std::size_t{4} * item.tetra + item.order[i]];
             tetra.corners[i] = job.tetras.record(vertex);
-            tetra.offsets[i] = job.places[vertex].offset;
+            tetra.places[i] = &job.places[vertex].at;
         }
         const std::size_t bin = job.bin(item.box, 0);
         const SliceTarget target{stack.records.data(), stack.indices.data(), part.records.data() + bin,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace vo {
 
@@ -54,6 +56,31 @@ constexpr std::array<TetraSection, 16> kTetraSections = [] {
         }
     }
     return sections;
+}();
+
+/// The corners of the edges of a section, the one of the lesser number first; a third edge stands for a
+/// fourth where there is none.
+struct EdgeEnds
+{
+    std::array<std::int64_t, 4> from;
+    std::array<std::int64_t, 4> to;
+};
+
+/// By whether the tetrahedron is negatively oriented, and as kTetraSections.
+constexpr std::array<std::array<EdgeEnds, 16>, 2> kEdgeEnds = [] {
+    std::array<std::array<EdgeEnds, 16>, 2> ends{};
+    for (std::size_t mirrored = 0; mirrored < 2; ++mirrored)
+        for (std::size_t mask = 0; mask < 16; ++mask) {
+            const TetraSection& section = kTetraSections[mask];
+            for (int i = 0; i < 4 && section.count > 0; ++i) {
+                const int vertex = i < section.count ? i : section.count - 1;
+                const int edge = mirrored ? section.count - 1 - vertex : vertex;
+                const auto [a, b] = section.edges[static_cast<std::size_t>(edge)];
+                ends[mirrored][mask].from[static_cast<std::size_t>(i)] = a < b ? a : b;
+                ends[mirrored][mask].to[static_cast<std::size_t>(i)] = a < b ? b : a;
+            }
+        }
+    return ends;
 }();
 
 } // namespace vo

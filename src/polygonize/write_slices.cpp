@@ -33,24 +33,14 @@ constexpr int kEdgeOf[4][4] = {{0, 0, 1, 2}, {0, 0, 3, 4}, {1, 3, 0, 5}, {2, 4, 
 
 struct CutLine
 {
-    const float* from; ///< the end that comes first, by position, then by the rest
+    const float* from; ///< the end that comes first
     const float* to;
     double fromOffset, toOffset;
 };
 
-HWY_INLINE bool comesBefore(const float* a, const float* b, int values)
+HWY_INLINE CutLine lineBetween(const TetraToSlice& tetra, std::size_t from, std::size_t to)
 {
-    const float *p = a + values - 3, *q = b + values - 3;
-    const bool same = (p[0] == q[0]) & (p[1] == q[1]) & (p[2] == q[2]);
-    if (HWY_UNLIKELY(same)) return std::lexicographical_compare(a, a + values - 3, b, b + values - 3);
-    return (p[0] < q[0]) | ((p[0] == q[0]) & ((p[1] < q[1]) | ((p[1] == q[1]) & (p[2] < q[2]))));
-}
-
-HWY_INLINE CutLine lineBetween(const TetraToSlice& tetra, std::size_t a, std::size_t b)
-{
-    const bool swapped = comesBefore(tetra.corners[b], tetra.corners[a], tetra.values);
-    const std::size_t from = swapped ? b : a, to = swapped ? a : b;
-    return {tetra.corners[from], tetra.corners[to], tetra.offsets[from], tetra.offsets[to]};
+    return {tetra.corners[from], tetra.corners[to], tetra.places[from]->offset, tetra.places[to]->offset};
 }
 
 /// Where a line meets the planes from `begin` to `end`, and some more, in a row for each value.
@@ -82,13 +72,14 @@ HWY_INLINE void cutLine(const CutLine& line, const PlaneFamily& planes, int begi
 /// The polygons of planes that meet the same edges. `cuts` holds the rows of each edge, from plane `block`
 /// on.
 template <int kValues, int kVertices>
-HWY_INLINE void writeRun(const TetraSection& section, const float* cuts, int block, int begin, int end,
-                         int values, const SliceTarget& target)
+HWY_INLINE void writeRun(const TetraSection& section, bool mirrored, const float* cuts, int block, int begin,
+                         int end, int values, const SliceTarget& target)
 {
     const int count = kValues > 0 ? kValues : values;
     const float* edges[kVertices];
     for (int vertex = 0; vertex < kVertices; ++vertex) {
-        const auto [a, b] = section.edges[static_cast<std::size_t>(vertex)];
+        const int edge = mirrored ? kVertices - 1 - vertex : vertex;
+        const auto [a, b] = section.edges[static_cast<std::size_t>(edge)];
         edges[vertex] = cuts + kEdgeOf[a][b] * count * kRow - block;
     }
     for (int k = begin; k < end; ++k) {
@@ -149,19 +140,127 @@ HWY_INLINE void writeAll(const TetraToSlice& tetra, const PlaneFamily& planes, c
             for (unsigned corner = 0; corner < 4; ++corner)
                 mask |= (first[corner] <= begin ? 1u : 0u) << corner;
             if (i == 1)
-                writeRun<kValues, 4>(kTetraSections[mask], cuts, block, begin, end, tetra.values, target);
+                writeRun<kValues, 4>(kTetraSections[mask], tetra.mirrored, cuts, block, begin, end,
+                                     tetra.values, target);
             else
-                writeRun<kValues, 3>(kTetraSections[mask], cuts, block, begin, end, tetra.values, target);
+                writeRun<kValues, 3>(kTetraSections[mask], tetra.mirrored, cuts, block, begin, end,
+                                     tetra.values, target);
         }
     }
 }
+
+#if HWY_MAX_BYTES >= 32
+constexpr hn::FixedTag<double, 4> kFour;
+constexpr hn::FixedTag<float, 4> kFourFloats;
+constexpr hn::FixedTag<std::uint32_t, 4> kFourNumbers;
+using Four = hn::Vec<decltype(kFour)>;
+
+/// A value of each of four corners, or of one end of each of four edges.
+struct FourPlaces
+{
+    Four x, y, z, offset;
+};
+
+HWY_INLINE FourPlaces placesOf(const TetraToSlice& tetra)
+{
+    const auto row = [&](std::size_t i) { return hn::Load(kFour, tetra.places[i]->position.data()); };
+    const Four a = row(0), b = row(1), c = row(2), d = row(3);
+    const Four lower = hn::InterleaveLower(kFour, a, b), upper = hn::InterleaveUpper(kFour, a, b);
+    const Four lowerNext = hn::InterleaveLower(kFour, c, d), upperNext = hn::InterleaveUpper(kFour, c, d);
+    return {hn::ConcatLowerLower(kFour, lowerNext, lower), hn::ConcatLowerLower(kFour, upperNext, upper),
+            hn::ConcatUpperUpper(kFour, lowerNext, lower), hn::ConcatUpperUpper(kFour, upperNext, upper)};
+}
+
+HWY_INLINE FourPlaces pick(const FourPlaces& corners, const std::array<std::int64_t, 4>& numbers)
+{
+    const auto from = hn::SetTableIndices(kFour, numbers.data());
+    return {hn::TableLookupLanes(corners.x, from), hn::TableLookupLanes(corners.y, from),
+            hn::TableLookupLanes(corners.z, from), hn::TableLookupLanes(corners.offset, from)};
+}
+
+/// Writes a polygon's records and its triangles. A triangle's fourth place is not written.
+template <int kVertices>
+HWY_INLINE void writePolygon(const FourPlaces& met, const SliceTarget& target, std::size_t bin)
+{
+    const std::uint32_t first = target.nextRecord[bin];
+    const std::size_t firstIndex = target.nextIndex[bin];
+    target.nextRecord[bin] = first + kVertices;
+    target.nextIndex[bin] = firstIndex + 3 * (kVertices - 2);
+    float* record = target.records + std::size_t{3} * first;
+    std::uint32_t* index = target.indices + firstIndex;
+    const auto x = hn::DemoteTo(kFourFloats, met.x), y = hn::DemoteTo(kFourFloats, met.y),
+               z = hn::DemoteTo(kFourFloats, met.z);
+    if constexpr (kVertices == 4) {
+        hn::StoreInterleaved3(x, y, z, kFourFloats, record);
+        alignas(16) constexpr std::uint32_t kFan[4] = {1, 2, 0, 2};
+        hn::StoreU(hn::Add(hn::Set(kFourNumbers, first), hn::Load(kFourNumbers, kFan)), kFourNumbers, index);
+        index[4] = first + 3;
+        index[5] = first;
+    } else {
+        alignas(16) float records[12];
+        hn::StoreInterleaved3(x, y, z, kFourFloats, records);
+        hn::StoreU(hn::Load(kFourFloats, records), kFourFloats, record);
+        hn::StoreU(hn::Load(kFourFloats, records + 4), kFourFloats, record + 4);
+        record[8] = records[8];
+        index[0] = first + 1;
+        index[1] = first + 2;
+        index[2] = first;
+    }
+}
+
+/// The polygons of planes that meet the same edges, all vertices of one at a time.
+template <int kVertices>
+HWY_INLINE void writePlanes(const FourPlaces& from, const FourPlaces& to, const PlaneFamily& planes,
+                            int begin, int end, const SliceTarget& target)
+{
+    const Four x = hn::Sub(to.x, from.x), y = hn::Sub(to.y, from.y), z = hn::Sub(to.z, from.z);
+    const Four one = hn::Set(kFour, 1.0);
+    std::size_t bin = static_cast<std::size_t>(begin) * target.stride;
+    for (int k = begin; k < end; ++k, bin += target.stride) {
+        const Four offset = hn::Set(kFour, planes.offset(k));
+        const Four a = hn::Sub(from.offset, offset), b = hn::Sub(to.offset, offset);
+        const Four s = hn::Div(a, hn::Sub(a, b));
+        const auto atEnd = hn::Eq(s, one);
+        const auto met = [&](Four p, Four q, Four edge)
+                             HWY_ATTR { return hn::IfThenElse(atEnd, q, hn::Add(p, hn::Mul(s, edge))); };
+        const FourPlaces vertices{met(from.x, to.x, x), met(from.y, to.y, y), met(from.z, to.z, z), s};
+        writePolygon<kVertices>(vertices, target, bin);
+    }
+}
+
+/// writeAll for records that are positions.
+HWY_INLINE void writePositions(const TetraToSlice& tetra, const PlaneFamily& planes,
+                               const SliceTarget& target)
+{
+    const std::array<int, 4>& first = tetra.firstInFront;
+    std::array<int, 4> changes = first;
+    sortFour(changes);
+    const FourPlaces corners = placesOf(tetra);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (changes[i] >= changes[i + 1]) continue;
+        unsigned mask = 0;
+        for (unsigned corner = 0; corner < 4; ++corner)
+            mask |= (first[corner] <= changes[i] ? 1u : 0u) << corner;
+        const EdgeEnds& edges = kEdgeEnds[tetra.mirrored][mask];
+        const FourPlaces from = pick(corners, edges.from), to = pick(corners, edges.to);
+        if (i == 1)
+            writePlanes<4>(from, to, planes, changes[i], changes[i + 1], target);
+        else
+            writePlanes<3>(from, to, planes, changes[i], changes[i + 1], target);
+    }
+}
+#endif
 
 void writeSlicesOfTarget(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                          std::vector<float>& scratch)
 {
     if (tetra.values == 3) {
+#if HWY_MAX_BYTES >= 32
+        writePositions(tetra, planes, target);
+#else
         float cuts[kEdges * 3 * kRow];
         writeAll<3>(tetra, planes, target, cuts);
+#endif
         return;
     }
     const std::size_t needed =

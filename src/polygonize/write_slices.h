@@ -9,13 +9,22 @@
 
 namespace vo {
 
-/// A tetrahedron to be sliced by planes that nothing else cuts. Corners are positively oriented.
+/// A vertex as it is cut.
+struct alignas(32) PlacedVertex
+{
+    std::array<double, 3> position; ///< its last three values; none is -0
+    double offset;                  ///< along the planes' normal
+};
+
+/// A tetrahedron to be sliced by planes that nothing else cuts. Its corners go by position, then by the rest
+/// of their records, from the least: every edge is cut from its earlier corner.
 struct TetraToSlice
 {
     std::array<const float*, 4> corners; ///< their records
     int values;                          ///< of a record
-    std::array<double, 4> offsets;       ///< of the corners along the planes' normal
-    std::array<int, 4> firstInFront;     ///< the first plane that has the corner in front
+    std::array<const PlacedVertex*, 4> places;
+    std::array<int, 4> firstInFront; ///< the first plane that has the corner in front
+    bool mirrored;                   ///< the corners are negatively oriented
 };
 
 /// Where slices go: for each plane of one box, the numbers of its next record and of its next index.
