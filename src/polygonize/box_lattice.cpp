@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <tuple>
 
 namespace vo {
 
 namespace {
 
-/// Half a unit in the last place of a coordinate of 128 is 4e-6: noise below this moves no voxel, but would
-/// lose a plane that lies in a face.
-constexpr double kSnapDistance = 1e-5;
+constexpr std::uint64_t kMostStarts = std::uint64_t{1} << 20;
 
 bool before(const BoxLattice::Interval& a, const BoxLattice::Interval& b)
 {
@@ -22,7 +21,7 @@ double nearestFace(double value, const std::vector<double>& faces)
 {
     const auto above = std::lower_bound(faces.begin(), faces.end(), value);
     double nearest = value;
-    double distance = kSnapDistance;
+    double distance = BoxLattice::kSnapDistance;
     for (auto face = above == faces.begin() ? above : above - 1; face != faces.end() && face <= above;
          ++face) {
         if (std::abs(*face - value) > distance) continue;
@@ -50,6 +49,20 @@ void BoxLattice::assign(std::span<const Box> boxes)
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
         return std::tie(a.cell, a.box) < std::tie(b.cell, b.box);
     });
+    findStarts();
+}
+
+void BoxLattice::findStarts()
+{
+    starts_.clear();
+    double cells = 1;
+    for (const auto& intervals : intervals_)
+        cells *= static_cast<double>(intervals.size());
+    if (cells > static_cast<double>(kMostStarts)) return;
+    starts_.assign(static_cast<std::size_t>(cells) + 1, 0);
+    for (const Entry& entry : entries_)
+        ++starts_[static_cast<std::size_t>(entry.cell) + 1];
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
 }
 
 void BoxLattice::findIntervals(int axis)
@@ -98,6 +111,11 @@ std::uint64_t BoxLattice::number(const Cell& cell) const
 
 std::span<const BoxLattice::Entry> BoxLattice::boxes(const Cell& cell) const
 {
+    if (!starts_.empty()) {
+        const auto cellNumber = static_cast<std::size_t>(number(cell));
+        return std::span(entries_).subspan(starts_[cellNumber],
+                                           starts_[cellNumber + 1] - starts_[cellNumber]);
+    }
     const auto byCell = [](const Entry& a, const Entry& b) { return a.cell < b.cell; };
     const auto [first, last] =
         std::equal_range(entries_.begin(), entries_.end(), Entry{number(cell), 0}, byCell);

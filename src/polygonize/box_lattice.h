@@ -31,6 +31,12 @@ public:
     /// Sorted by lower, then upper end.
     std::span<const Interval> intervals(int axis) const { return intervals_[static_cast<std::size_t>(axis)]; }
 
+    /// The coordinates of all faces across an axis, sorted.
+    std::span<const double> faces(int axis) const { return faces_[static_cast<std::size_t>(axis)]; }
+    /// Half a unit in the last place of a coordinate of 128 is 4e-6: noise below this moves no voxel, but
+    /// would lose a plane that lies in a face.
+    static constexpr double kSnapDistance = 1e-5;
+
     struct Entry
     {
         std::uint64_t cell;
@@ -58,6 +64,7 @@ public:
 private:
     std::uint64_t number(const Cell& cell) const;
     void findIntervals(int axis);
+    void findStarts();
     int intervalOf(int axis, const Box& box) const;
 
     std::vector<Box> boxes_;
@@ -65,6 +72,7 @@ private:
     std::array<std::vector<Interval>, 3> intervals_;
     std::array<std::vector<double>, 3> faces_; ///< sorted coordinates of all faces across an axis
     std::vector<Entry> entries_;               ///< sorted by cell, then box
+    std::vector<std::uint32_t> starts_; ///< the first entry of each cell, and the end; empty: too many cells
 };
 
 } // namespace vo

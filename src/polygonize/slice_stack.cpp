@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "polygonize/box_cutter.h"
 #include "polygonize/box_lattice.h"
+#include "polygonize/position_cutter.h"
 #include "polygonize/slice_tetra.h"
 #include "polygonize/write_slices.h"
 
@@ -133,7 +134,8 @@ struct Job
 class Looker
 {
 public:
-    Looker(const Job& job, const BoxLattice& lattice, Part& part) : job_(job), lattice_(lattice), part_(part)
+    Looker(const Job& job, const BoxLattice& lattice, Part& part)
+        : job_(job), lattice_(lattice), part_(part), positionCutter_(lattice)
     {
     }
 
@@ -168,7 +170,7 @@ private:
         if (item.box >= 0)
             count(item);
         else
-            cutAside(tetra, job_.planesOf(tetra), item, begin, end);
+            cutAside(tetra, places, item);
         *part_.items.grow(1) = item;
     }
 
@@ -250,8 +252,41 @@ private:
             }
     }
 
+    void cutAside(std::size_t tetra, const std::array<const VertexPlace*, 4>& places, Item& item)
+    {
+        item.firstAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+        const PlaneFamily planes = job_.planesOf(tetra);
+        if (job_.tetras.valuesPerVertex == 3 && job_.tetras.voxelColumn <= 0)
+            cutPositions(places, planes, item);
+        else
+            cutRecords(tetra, planes, item);
+        item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
+        for (const AsidePolygon& polygon :
+             std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
+            part_.records[job_.bin(polygon.box, polygon.sample)] += polygon.records;
+            part_.indices[job_.bin(polygon.box, polygon.sample)] += 3 * (polygon.records - 2);
+        }
+    }
+
+    void cutPositions(const std::array<const VertexPlace*, 4>& places, const PlaneFamily& planes,
+                      const Item& item)
+    {
+        TetraInBoxes tetra{{}, {}, item.firstInFront, item.mirrored, {}};
+        for (std::size_t i = 0; i < 4; ++i) {
+            tetra.corners[i] = places[i]->at.position;
+            tetra.offsets[i] = places[i]->at.offset;
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int32_t interval = places[0]->interval[axis];
+            const bool same = std::ranges::all_of(
+                places, [&](const VertexPlace* place) { return place->interval[axis] == interval; });
+            tetra.interval[axis] = same ? interval : BoxLattice::kNearFace;
+        }
+        positionCutter_.cut(tetra, planes, part_.aside);
+    }
+
     /// Slices it plane by plane and lets the boxes cut the slices.
-    void cutAside(std::size_t tetra, const PlaneFamily& planes, Item& item, int begin, int end)
+    void cutRecords(std::size_t tetra, const PlaneFamily& planes, Item& item)
     {
         const int values = job_.tetras.valuesPerVertex;
         const auto size = static_cast<std::size_t>(values);
@@ -271,7 +306,7 @@ private:
             offsets[i] =
                 glm::dot(planes.normal, glm::dvec3(record[size - 3], record[size - 2], record[size - 1]));
         }
-        item.firstAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
         for (int k = begin; k < end; ++k) {
             std::array<double, 4> distances;
             unsigned mask = 0;
@@ -282,17 +317,12 @@ private:
             sliceTetra(records.data(), distances.data(), mask, values, part_.slice, job_.tetras.voxelColumn);
             part_.cutter.cut(part_.slice, k, part_.aside);
         }
-        item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
-        for (const AsidePolygon& polygon :
-             std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
-            part_.records[job_.bin(polygon.box, polygon.sample)] += polygon.records;
-            part_.indices[job_.bin(polygon.box, polygon.sample)] += 3 * (polygon.records - 2);
-        }
     }
 
     const Job& job_;
     const BoxLattice& lattice_;
     Part& part_;
+    PositionCutter positionCutter_;
     BoxLattice::Cell cell_{-1, -1, -1}; ///< the last one asked for
     std::size_t boxesInCell_ = 0;
     int box_ = -1;
