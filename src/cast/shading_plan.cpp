@@ -81,7 +81,12 @@ ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool clas
 
 bool ShadingPlan::rises() const
 {
-    return oneChannel && !table && std::ranges::all_of(slope, [](float s) { return s >= 0.0f; });
+    if (!oneChannel) return false;
+    if (!table) return std::ranges::all_of(slope, [](float s) { return s >= 0.0f; });
+    for (const std::vector<float>& pairs : entries)
+        for (std::size_t difference = 1; difference < pairs.size(); difference += 2)
+            if (!(pairs[difference] >= 0.0f)) return false;
+    return true;
 }
 
 bool ShadingPlan::isZero(int component, float low, float high, float unit) const

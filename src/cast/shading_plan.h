@@ -28,7 +28,7 @@ struct ShadingPlan
     /// True when component c is 0 for all values from low to high, as stored (`unit` stands for 1).
     bool isZero(int component, float low, float high, float unit) const;
 
-    /// True when there is one channel, no table, and no component falls as values rise.
+    /// True when there is one channel, and no component falls as values rise.
     bool rises() const;
 
     std::array<std::vector<int>, 4> notZero; ///< number of entries before each that are not 0

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace vo {
@@ -381,6 +380,7 @@ private:
 };
 
 /// The largest or the smallest sample, where no component falls as samples rise; shaded at the end.
+template <class Shade>
 class Extreme
 {
 public:
@@ -404,7 +404,7 @@ public:
 
     PixelLanes result() const
     {
-        const LinearShade shade(*job_.shading, job_.grid.rawUnit);
+        const Shade shade(*job_.shading, job_.grid.rawUnit);
         const Mask any = count_ > hn::Zero(kFloats);
         PixelLanes pixels;
         for (std::size_t c = 0; c < 4; ++c)
@@ -422,6 +422,11 @@ private:
     Floats raw_;
     Floats count_;
 };
+
+template <class Blend>
+constexpr bool kIsExtreme = false;
+template <class Shade>
+constexpr bool kIsExtreme<Extreme<Shade>> = true;
 
 // ---- The walk
 
@@ -458,7 +463,7 @@ public:
         const Ints number = block[0] + block[1] * pitchY_ + block[2] * pitchZ_;
         const Ints inside = hn::BitCast(kInts, hn::Min(hn::BitCast(kUints, number), last_));
         Ints free;
-        if constexpr (std::is_same_v<Blend, Extreme>) {
+        if constexpr (kIsExtreme<Blend>) {
             occupied = blend.mayChange(gather(ranges_, inside + inside));
             free = hn::BitCast(kInts, hn::IfThenZeroElse(occupied, hn::BitCast(kFloats, hn::Set(kInts, 1))));
         } else {
@@ -495,8 +500,7 @@ void walk(const RayJob& job, const Shade& shade, float end, Packet& packet)
     const GridLanes grid(job.grid);
     const Sampler sampler(job.grid);
     const Leaps leaps(job, packet);
-    const bool leaping =
-        std::is_same_v<Blend, Extreme> ? job.blockRanges != nullptr : job.blockDistance != nullptr;
+    const bool leaping = kIsExtreme<Blend> ? job.blockRanges != nullptr : job.blockDistance != nullptr;
     Blend blend(job, packet);
     blend.goOn(packet);
     Floats start[3], step[3];
@@ -599,8 +603,10 @@ void walkSamples(const RayJob& job, const PixelRectangle& tile)
         return walkTile<Sampler, LinearShade, Premultiplied>(job, tile);
     }
     if (job.blending != CastBlending::over) {
+        if (job.extremeOfRaw && shading.table)
+            return walkTile<Sampler, TableShade, Extreme<TableShade>>(job, tile);
+        if (job.extremeOfRaw) return walkTile<Sampler, LinearShade, Extreme<LinearShade>>(job, tile);
         if (shading.table) return walkTile<Sampler, TableShade, Others>(job, tile);
-        if (job.extremeOfRaw) return walkTile<Sampler, LinearShade, Extreme>(job, tile);
         return walkTile<Sampler, LinearShade, Others>(job, tile);
     }
     if (!shading.packed[0].empty()) return walkTile<Sampler, PackedShade, Over>(job, tile);

@@ -28,6 +28,7 @@ struct EngineCase
     double degrees = 0.0; ///< perspective
     int stackAxis = -1;
     int channels = 1;
+    bool ramp = false;      ///< a table that never falls
     bool texCoords = false; ///< records with voxel coordinates: polygons are filled
     SamplingPlanes planes = SamplingPlanes::viewportAligned;
 };
@@ -63,6 +64,15 @@ std::vector<float> colorTable()
     return table;
 }
 
+std::vector<float> rampTable()
+{
+    std::vector<float> table;
+    for (int i = 0; i < 256; ++i)
+        for (const double slope : {1.0, 1.7, 0.6, 1.2})
+            table.push_back(static_cast<float>(std::clamp(slope * (i / 255.0 - 0.2), 0.0, 1.0)));
+    return table;
+}
+
 Scene sceneOf(const EngineCase& c, const Field& field, const Angles& angles)
 {
     Scene scene;
@@ -74,7 +84,7 @@ Scene sceneOf(const EngineCase& c, const Field& field, const Angles& angles)
     scene.planes = c.planes;
     scene.stackAxis = c.stackAxis;
     scene.classification = c.classification;
-    if (c.classification != Classification::none) scene.table = colorTable();
+    if (c.classification != Classification::none) scene.table = c.ramp ? rampTable() : colorTable();
     scene.compositing = c.compositing;
     if (c.compositing == Compositing::min) {
         scene.background = {1, 1, 1};
@@ -127,6 +137,7 @@ const EngineCase kCases[] = {
     {.name = "tableBefore", .classification = Classification::preInterpolation},
     {.name = "max", .compositing = Compositing::max},
     {.name = "min", .classification = Classification::none, .compositing = Compositing::min},
+    {.name = "maxOfARamp", .compositing = Compositing::max, .ramp = true},
     {.name = "sum", .compositing = Compositing::sum},
     {.name = "eightBricks", .bricks = 2},
     {.name = "perspective", .bricks = 2, .degrees = 60},
