@@ -151,8 +151,9 @@ TEST_F(Vorender, depthOfAMaximumIsWhereItLies)
     std::vector<std::uint16_t> values(kPixels * kPixels);
     ASSERT_TRUE(
         png->readBrick({{0, 0, 0}, {kPixels, kPixels, 1}}, std::as_writable_bytes(std::span(values))));
-    const float* found = middle(floats("d.raw"), 1);
-    EXPECT_NEAR(values[std::size_t(kPixels / 2 * kPixels + kPixels / 2)], 65535 * double(*found), 1.0);
+    const std::vector<float> depths = floats("d.raw");
+    EXPECT_NEAR(values[std::size_t(kPixels / 2 * kPixels + kPixels / 2)], 65535 * double(*middle(depths, 1)),
+                1.0);
 }
 
 TEST_F(Vorender, framesAreThePicturesOfTheirViews)
