@@ -179,7 +179,7 @@ TEST_F(RawDemo, badArgumentsAreNamed)
     expectOneLine("voglRaw", "7 14 11 6 uchar", "HEADER X Y Z TYPE");
     expectOneLine("voglRaw", "seven 14 11 6 uchar all.raw", "'seven'");
     expectOneLine("voglRaw", "7 14 0 6 uchar all.raw", "along y");
-    expectOneLine("voglRaw", "7 14 11 6 int all.raw", "'int'");
+    expectOneLine("voglRaw", "7 14 11 6 int all.raw", "found \"int\"");
     expectOneLine("voglRaw", "7 14 11 6 uchar missing.raw", "missing.raw");
     expectOneLine("voglRaw", "7 14 11 6 uchar" + slices(5), "expected 6 files, one a slice, found 5");
     expectOneLine("voglRaw", "7 14 11 7 uchar all.raw", "all.raw: expected");
