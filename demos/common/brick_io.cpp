@@ -1,5 +1,7 @@
 #include "brick_io.h"
 
+#include "data_type.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -8,8 +10,6 @@
 #include <string>
 #include <sys/stat.h>
 #include <vector>
-
-#include "volume_io/volume_io.h"
 
 namespace {
 
@@ -103,18 +103,6 @@ vo::Result<vo::VolumeFile*> namedVolume(const char* fileName)
     if (!fileName) return vo::Failure{"expected the name of a volume file, found NULL"};
     if (!*fileName) return vo::Failure{"expected the name of a volume file, found ''"};
     return openedVolume(fileName);
-}
-
-voDataType dataTypeOf(vo::ChannelType type)
-{
-    switch (type) {
-    case vo::ChannelType::uint8: return voDataTypeScope::UNSIGNED_BYTE;
-    case vo::ChannelType::int8: return voDataTypeScope::BYTE;
-    case vo::ChannelType::uint16: return voDataTypeScope::UNSIGNED_SHORT;
-    case vo::ChannelType::int16: return voDataTypeScope::SHORT;
-    case vo::ChannelType::float32: return voDataTypeScope::FLOAT;
-    }
-    return voDataTypeScope::DEFAULT;
 }
 
 voExternalFormatType formatOf(int channels)

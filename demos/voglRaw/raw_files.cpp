@@ -1,24 +1,12 @@
 #include "raw_files.h"
 
-#include "volume_io/volume_io.h"
+#include "data_type.h"
 
 #include <charconv>
 #include <cstring>
 #include <memory>
 
 namespace {
-
-voDataType dataTypeOf(vo::ChannelType type)
-{
-    switch (type) {
-    case vo::ChannelType::uint8: return voDataTypeScope::UNSIGNED_BYTE;
-    case vo::ChannelType::int8: return voDataTypeScope::BYTE;
-    case vo::ChannelType::uint16: return voDataTypeScope::UNSIGNED_SHORT;
-    case vo::ChannelType::int16: return voDataTypeScope::SHORT;
-    case vo::ChannelType::float32: return voDataTypeScope::FLOAT;
-    }
-    return voDataTypeScope::DEFAULT;
-}
 
 int readNumber(const char* program, const char* what, const char* word, int least)
 {

@@ -1,5 +1,7 @@
 #include "cast/fill_tile.h"
 
+#include "core/highway_targets.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>

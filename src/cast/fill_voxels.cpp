@@ -66,10 +66,10 @@ void FillVoxels::setSamplers(const CastRequest& request)
         samplers_.push_back(sampler);
     };
     const std::size_t count = request.bricks.size();
-    const VoxelGrid* all = store_.gridOf(request, 0, count);
+    const VoxelGrid* all = store_.gridOf(request, 0, count).grid.get();
     if (all) add(0, all);
     for (std::size_t i = 0; i < count; ++i) {
-        if (!all) add(i, count == 1 ? nullptr : store_.gridOf(request, i, 1));
+        if (!all) add(i, count == 1 ? nullptr : store_.gridOf(request, i, 1).grid.get());
         setBrick(request.bricks[i], samplers_.back().grid, static_cast<int>(samplers_.size()) - 1);
     }
 }

@@ -1,5 +1,7 @@
 #include "cast/grid_store.h"
 
+#include "core/serial.h"
+
 #include <algorithm>
 #include <cassert>
 #include <functional>
@@ -16,7 +18,7 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
 } // namespace
 
-const VoxelGrid* GridStore::gridOf(const CastRequest& request, std::size_t firstBrick, std::size_t count)
+const StoredGrid& GridStore::gridOf(const CastRequest& request, std::size_t firstBrick, std::size_t count)
 {
     assert(request.bricks.size() == request.clipBoxes.size() && count >= 1);
     const auto bricks = request.bricks.subspan(firstBrick, count);
@@ -35,18 +37,23 @@ const VoxelGrid* GridStore::gridOf(const CastRequest& request, std::size_t first
         std::find_if(first, last, [&](const auto& entry) { return entry.second.parts == parts; });
     if (found != last) {
         found->second.lastFrame = frame_;
-        return found->second.grid.get();
+        return found->second.stored;
     }
-    Kept kept{std::move(parts), nullptr, frame_};
-    std::string refusal;
+    StoredGrid stored{nullptr, "", newSerial()};
     try {
-        kept.grid = std::make_unique<VoxelGrid>(bricks, boxes, request.threads, refusal);
+        stored.grid = std::make_unique<VoxelGrid>(bricks, boxes, request.threads, stored.refusal);
     } catch (const std::bad_alloc&) {
-        refusal = "no memory";
+        stored.refusal = "no memory for the voxels";
     }
-    if (!refusal.empty()) kept.grid.reset();
+    if (!stored.refusal.empty()) stored.grid.reset();
     ++generation_;
-    return grids_.emplace(number, std::move(kept))->second.grid.get();
+    return grids_.emplace(number, Kept{std::move(parts), std::move(stored), frame_})->second.stored;
+}
+
+bool GridStore::holds(std::uint64_t serial) const
+{
+    return std::ranges::any_of(grids_,
+                               [&](const auto& entry) { return entry.second.stored.serial == serial; });
 }
 
 void GridStore::startFrame()

@@ -6,18 +6,28 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
 namespace vo {
 
+/// A grid, or why bricks make none.
+struct StoredGrid
+{
+    std::unique_ptr<VoxelGrid> grid;
+    std::string refusal;
+    std::uint64_t serial = 0; ///< no other grid ever has it
+};
+
 /// The grids of bricks that were asked for last, and which bricks make none.
 class GridStore
 {
 public:
-    /// The voxels of some bricks of a request, in one grid; nullptr when they make none. Valid until
-    /// `startFrame` or `forget`.
-    const VoxelGrid* gridOf(const CastRequest& request, std::size_t firstBrick, std::size_t count);
+    /// The voxels of some bricks of a request, in one grid. Valid until `startFrame` or `forget`.
+    const StoredGrid& gridOf(const CastRequest& request, std::size_t firstBrick, std::size_t count);
+
+    bool holds(std::uint64_t serial) const;
 
     /// Lets go of what was not asked for lately and does not fit into the bound on memory.
     void startFrame();
@@ -42,10 +52,13 @@ private:
     struct Kept
     {
         std::vector<Part> parts;
-        std::unique_ptr<VoxelGrid> grid;
+        StoredGrid stored;
         std::uint64_t lastFrame = 0;
 
-        std::size_t bytes() const { return parts.size() * sizeof(Part) + (grid ? grid->bytes() : 0); }
+        std::size_t bytes() const
+        {
+            return parts.size() * sizeof(Part) + (stored.grid ? stored.grid->bytes() : 0);
+        }
     };
 
     std::unordered_multimap<std::uint64_t, Kept> grids_; ///< by a number made of the parts

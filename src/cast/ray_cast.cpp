@@ -1,8 +1,8 @@
 #include "cast/ray_cast.h"
 
 #include "cast/empty_blocks.h"
+#include "cast/grid_store.h"
 #include "cast/ray_frame.h"
-#include "cast/voxel_grid.h"
 #include "cast/walk_rays.h"
 #include "core/parallel.h"
 #include "geometry/convex_set.h"
@@ -10,47 +10,11 @@
 #include <algorithm>
 #include <cassert>
 #include <list>
-#include <new>
 #include <optional>
-#include <utility>
 
 namespace vo {
 
 namespace {
-
-/// Of rearranged voxels, beyond those of the present frame.
-constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-
-/// What a grid was made of.
-struct GridKey
-{
-    struct Part
-    {
-        std::uint64_t id, version, tableSerial;
-        glm::vec3 origin, size;
-        glm::dvec3 lower, upper; ///< of the clip box
-        int thinAxis;
-        TexelFormat texel;
-        VoxelFormat format;
-        bool classified;
-        friend bool operator==(const Part&, const Part&) = default;
-    };
-    std::vector<Part> parts;
-    friend bool operator==(const GridKey&, const GridKey&) = default;
-};
-
-GridKey keyOf(const CastRequest& request)
-{
-    GridKey key;
-    for (std::size_t i = 0; i < request.bricks.size(); ++i) {
-        const CastBrick& brick = request.bricks[i];
-        const Box& box = request.clipBoxes[i];
-        key.parts.push_back({brick.id, brick.version, brick.tableSerial, brick.origin, brick.size, box.lower,
-                             box.upper, brick.thinAxis, brick.texels.texel, brick.texels.format,
-                             brick.texels.classified != nullptr});
-    }
-    return key;
-}
 
 Box boxAround(std::span<const Box> boxes)
 {
@@ -60,77 +24,65 @@ Box boxAround(std::span<const Box> boxes)
     return around;
 }
 
-/// A grid, what the last table makes of it, or why there is none.
-struct KeptGrid
+/// What the last table makes of a grid.
+struct ShadedGrid
 {
-    GridKey key;
-    std::string refusal;
-    std::unique_ptr<VoxelGrid> grid;
-
-    bool shaded = false;
-    CastShading shading; ///< the table by its serial
+    std::uint64_t serial = 0; ///< of the grid
+    CastShading shading;      ///< `table` for its table
     Table table;
     CastBlending blending = CastBlending::over;
     ShadingPlan plan;
     EmptyBlocks blocks;
 };
 
-bool sameShading(const KeptGrid& kept, const CastRequest& request)
+bool sameShading(const ShadedGrid& shaded, const CastRequest& request)
 {
-    const CastShading &a = kept.shading, &b = request.shading;
-    return kept.shaded && kept.blending == request.blending && a.color == b.color && a.replace == b.replace &&
-           (a.table == nullptr) == (b.table == nullptr) && (!b.table || kept.table == *b.table);
+    const CastShading &a = shaded.shading, &b = request.shading;
+    return shaded.blending == request.blending && a.color == b.color && a.replace == b.replace &&
+           (a.table == nullptr) == (b.table == nullptr) && (!b.table || shaded.table == *b.table);
 }
 
-void shade(KeptGrid& kept, const CastRequest& request)
+void shade(const VoxelGrid& grid, const CastRequest& request, ShadedGrid& shaded)
 {
-    if (sameShading(kept, request)) return;
     const BrickTexels& texels = request.bricks.front().texels;
-    kept.plan = shadingPlan(request.shading, texels.texel, texels.classified != nullptr);
-    kept.shading = request.shading;
-    if (request.shading.table) kept.table = *request.shading.table;
-    kept.blending = request.blending;
-    findEmptyBlocks(*kept.grid, kept.plan, request.blending, kept.blocks);
-    kept.shaded = true;
+    shaded.plan = shadingPlan(request.shading, texels.texel, texels.classified != nullptr);
+    shaded.shading = request.shading;
+    if (request.shading.table) shaded.table = *request.shading.table;
+    shaded.blending = request.blending;
+    findEmptyBlocks(grid, shaded.plan, request.blending, shaded.blocks);
 }
 
 } // namespace
 
 struct RayCaster::Private
 {
-    std::list<KeptGrid> grids; ///< the latest used first
+    GridStore store;
+    std::list<ShadedGrid> shaded; ///< of grids in the store; the latest used first
     std::vector<float> records;
     std::vector<int> indices;
     std::optional<ConvexSet> convex;
     bool skipping = true;
 
-    KeptGrid& gridOf(const CastRequest& request)
+    const StoredGrid& gridOf(const CastRequest& request)
     {
-        GridKey key = keyOf(request);
-        const auto found =
-            std::find_if(grids.begin(), grids.end(), [&](const KeptGrid& g) { return g.key == key; });
-        if (found != grids.end()) {
-            grids.splice(grids.begin(), grids, found);
-            return grids.front();
-        }
-        KeptGrid kept;
-        kept.key = std::move(key);
-        try {
-            kept.grid =
-                std::make_unique<VoxelGrid>(request.bricks, request.clipBoxes, request.threads, kept.refusal);
-        } catch (const std::bad_alloc&) {
-            kept.refusal = "no memory for the voxels";
-        }
-        if (!kept.refusal.empty()) kept.grid.reset();
-        grids.push_front(std::move(kept));
-        std::size_t bytes = 0;
-        for (auto i = grids.begin(); i != grids.end();) {
-            bytes += i->grid ? i->grid->bytes() : 0;
-            const bool tooMany =
-                i != grids.begin() && (bytes > kMostBytes || std::distance(grids.begin(), i) > 64);
-            i = tooMany ? grids.erase(i) : std::next(i);
-        }
-        return grids.front();
+        return store.gridOf(request, 0, request.bricks.size());
+    }
+
+    const ShadedGrid& shadedGrid(const StoredGrid& stored, const CastRequest& request)
+    {
+        const auto found = std::ranges::find(shaded, stored.serial, &ShadedGrid::serial);
+        const bool known = found != shaded.end();
+        if (known)
+            shaded.splice(shaded.begin(), shaded, found);
+        else
+            shaded.emplace_front().serial = stored.serial;
+        if (!known || !sameShading(shaded.front(), request)) shade(*stored.grid, request, shaded.front());
+        return shaded.front();
+    }
+
+    void dropShadingOfLostGrids()
+    {
+        std::erase_if(shaded, [&](const ShadedGrid& entry) { return !store.holds(entry.serial); });
     }
 
     const std::optional<ConvexSet>& convexOf(const TetraView& tetras)
@@ -159,6 +111,8 @@ std::string RayCaster::refusal(const CastRequest& request)
     if (request.shading.table && request.shading.table->size() < 1) return "an empty table";
     if (!findCamera(request.model, request.projection)) return "singular matrices";
     if (!d->convexOf(request.tetras)) return "tetrahedra that fill no convex polyhedron";
+    d->store.startFrame();
+    d->dropShadingOfLostGrids();
     return d->gridOf(request).refusal;
 }
 
@@ -168,9 +122,10 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     if (request.tetras.tetraCount() == 0 || request.bricks.empty()) return;
     const std::optional<Camera> camera = findCamera(request.model, request.projection);
     const std::optional<ConvexSet>& convex = d->convexOf(request.tetras);
-    KeptGrid& kept = d->gridOf(request);
-    assert(camera && convex && kept.grid);
-    shade(kept, request);
+    const StoredGrid& stored = d->gridOf(request);
+    assert(camera && convex && stored.grid);
+    const VoxelGrid& grid = *stored.grid;
+    const ShadedGrid& shaded = d->shadedGrid(stored, request);
 
     RayFrame frame = rayFrame(request, *camera);
     boundByBox(request, boxAround(request.clipBoxes), frame);
@@ -188,18 +143,18 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
 
     RayJob job;
     job.frame = &frame;
-    job.grid = kept.grid->view();
-    job.shift = kept.grid->shift();
-    job.shading = &kept.plan;
+    job.grid = grid.view();
+    job.shift = grid.shift();
+    job.shading = &shaded.plan;
     job.blending = request.blending;
     job.gauge = request.opacityGauge ? &*request.opacityGauge : nullptr;
     job.depth = request.depth.depths.empty() ? nullptr : &request.depth;
     job.viewportWidth = request.width;
-    job.blockCount = kept.grid->blockCount();
+    job.blockCount = grid.blockCount();
     const bool extreme = request.blending == CastBlending::max || request.blending == CastBlending::min;
-    job.extremeOfRaw = extreme && kept.plan.rises() && !job.gauge;
-    if (d->skipping && !extreme) job.blockDistance = kept.blocks.distance.data();
-    if (d->skipping && job.extremeOfRaw) job.blockRanges = kept.grid->blockRanges().data();
+    job.extremeOfRaw = extreme && shaded.plan.rises() && !job.gauge;
+    if (d->skipping && !extreme) job.blockDistance = shaded.blocks.distance.data();
+    if (d->skipping && job.extremeOfRaw) job.blockRanges = grid.blockRanges().data();
     job.picture = &picture;
 
     const int columns = (picture.width + kTile - 1) / kTile, rows = (picture.height + kTile - 1) / kTile;
@@ -218,16 +173,15 @@ void RayCaster::setSkipping(bool on)
 
 void RayCaster::forget(std::uint64_t brickId)
 {
-    std::erase_if(d->grids, [&](const KeptGrid& kept) {
-        return std::ranges::any_of(kept.key.parts, [&](const auto& part) { return part.id == brickId; });
-    });
+    d->store.forget(brickId);
+    d->dropShadingOfLostGrids();
 }
 
 std::size_t RayCaster::bytes() const
 {
-    std::size_t bytes = 0;
-    for (const KeptGrid& kept : d->grids)
-        if (kept.grid) bytes += kept.grid->bytes() + kept.blocks.distance.size();
+    std::size_t bytes = d->store.bytes();
+    for (const ShadedGrid& shaded : d->shaded)
+        bytes += shaded.blocks.distance.size();
     return bytes;
 }
 

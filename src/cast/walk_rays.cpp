@@ -1,14 +1,7 @@
 #include "cast/walk_rays.h"
 
-// Targets that add nothing here to those that are kept, and vectors of unknown length.
-#define VO_UNUSED_TARGETS                                                                                    \
-    (HWY_AVX3_DL | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-// The sanitizers take minutes for each target: they look at two, a wide one and the plain one.
-#if defined(__SANITIZE_ADDRESS__)
-#define HWY_DISABLED_TARGETS (VO_UNUSED_TARGETS | HWY_AVX3 | HWY_SSE4)
-#else
-#define HWY_DISABLED_TARGETS VO_UNUSED_TARGETS
-#endif
+#include "core/highway_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cast/walk_rays.cpp"
 #include <hwy/foreach_target.h>

@@ -91,6 +91,24 @@ std::string countedFragments(const GladGLContext& gl)
     return "";
 }
 
+/// Neither selected, nor drawn as lines or points.
+std::string obstacleInPolygons(const ContextRecord& context)
+{
+    const GladGLContext& gl = context.gl;
+    if (!context.core && integer(gl, GL_RENDER_MODE) != GL_RENDER) return "the render mode is not GL_RENDER";
+    GLint modes[2] = {GL_FILL, GL_FILL};
+    gl.GetIntegerv(GL_POLYGON_MODE, modes);
+    if (modes[0] != GL_FILL || (!context.core && modes[1] != GL_FILL)) return "polygons are not filled";
+    return "";
+}
+
+bool writesDepths(const GladGLContext& gl)
+{
+    GLboolean written = GL_FALSE;
+    gl.GetBooleanv(GL_DEPTH_WRITEMASK, &written);
+    return written;
+}
+
 std::string obstacleInFramebuffer(const GladGLContext& gl)
 {
     if (integer(gl, GL_SAMPLE_BUFFERS) > 0) return "pixels have several samples";
@@ -103,9 +121,7 @@ std::string obstacleInDepth(const GladGLContext& gl, bool ownFramebuffer, Compos
     state.depthTest =
         gl.IsEnabled(GL_DEPTH_TEST) && hasAttachment(gl, ownFramebuffer, GL_DEPTH, GL_DEPTH_ATTACHMENT);
     if (!state.depthTest) return "";
-    GLboolean written = GL_FALSE;
-    gl.GetBooleanv(GL_DEPTH_WRITEMASK, &written);
-    if (written) return "depths are written";
+    if (writesDepths(gl)) return "depths are written";
     const GLint function = integer(gl, GL_DEPTH_FUNC);
     if (function == GL_ALWAYS) {
         state.depthTest = false;
@@ -154,10 +170,7 @@ std::string readCompositingState(const ContextRecord& context, const DrawState& 
                                  CompositingState& state)
 {
     const GladGLContext& gl = context.gl;
-    if (!context.core && integer(gl, GL_RENDER_MODE) != GL_RENDER) return "the render mode is not GL_RENDER";
-    GLint modes[2] = {GL_FILL, GL_FILL};
-    gl.GetIntegerv(GL_POLYGON_MODE, modes);
-    if (modes[0] != GL_FILL || (!context.core && modes[1] != GL_FILL)) return "polygons are not filled";
+    if (const std::string obstacle = obstacleInPolygons(context); !obstacle.empty()) return obstacle;
     if (draw.textureMatrix != glm::mat4(1.0f)) return "there is a texture matrix";
     const std::optional<Blending> blending = readBlending(context);
     if (!blending) return "fragments are blended in another way than over, max, min and sum";
@@ -174,6 +187,17 @@ std::string readCompositingState(const ContextRecord& context, const DrawState& 
     gl.GetIntegerv(GL_VIEWPORT, state.viewport);
     readClipPlanes(gl, draw, state);
     return "";
+}
+
+bool clearFragmentsLeaveNoTrace(const ContextRecord& context)
+{
+    const GladGLContext& gl = context.gl;
+    if (gl.IsEnabled(GL_COLOR_LOGIC_OP)) return false;
+    if (gl.IsEnabled(GL_STENCIL_TEST) && !stencilIsKept(gl)) return false;
+    if (gl.IsEnabled(GL_DEPTH_TEST) && writesDepths(gl)) return false;
+    const std::optional<Blending> blending = readBlending(context);
+    return blending && (blending->color == CastBlending::over || blending->color == CastBlending::alphaSum) &&
+           obstacleInPolygons(context).empty();
 }
 
 void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths)

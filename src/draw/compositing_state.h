@@ -44,6 +44,10 @@ struct CompositingState
 std::string readCompositingState(const ContextRecord& context, const DrawState& draw, bool unbounded,
                                  CompositingState& state);
 
+/// Whether a filled fragment with an alpha of exactly 0 changes nothing in the framebuffer, whatever its
+/// colour. Queries that count fragments are not asked about.
+bool clearFragmentsLeaveNoTrace(const ContextRecord& context);
+
 /// The window depths of the viewport, rows from the bottom.
 void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths);
 

@@ -80,33 +80,6 @@ DrawState readDrawState(const ContextRecord& context)
     return state;
 }
 
-bool clearFragmentsLeaveNoTrace(const ContextRecord& context)
-{
-    const GladGLContext& gl = context.gl;
-    const auto get = [&gl](GLenum name) {
-        GLint value[2] = {};
-        gl.GetIntegerv(name, value);
-        return static_cast<GLenum>(value[0]);
-    };
-    const auto keepsWhatIsThere = [](GLenum factor) {
-        return factor == GL_ONE || factor == GL_ONE_MINUS_SRC_ALPHA;
-    };
-    GLint modes[2] = {GL_FILL, GL_FILL};
-    gl.GetIntegerv(GL_POLYGON_MODE, modes);
-    if (modes[0] != GL_FILL || (!context.core && modes[1] != GL_FILL)) return false;
-    if (!gl.IsEnabled(GL_BLEND) || gl.IsEnabled(GL_COLOR_LOGIC_OP) || gl.IsEnabled(GL_STENCIL_TEST))
-        return false;
-    if (gl.IsEnabled(GL_DEPTH_TEST)) {
-        GLboolean writes = GL_TRUE;
-        gl.GetBooleanv(GL_DEPTH_WRITEMASK, &writes);
-        if (writes) return false;
-    }
-    if (!context.core && get(GL_RENDER_MODE) != GL_RENDER) return false;
-    return get(GL_BLEND_EQUATION_RGB) == GL_FUNC_ADD && get(GL_BLEND_EQUATION_ALPHA) == GL_FUNC_ADD &&
-           get(GL_BLEND_SRC_RGB) == GL_SRC_ALPHA && keepsWhatIsThere(get(GL_BLEND_DST_RGB)) &&
-           keepsWhatIsThere(get(GL_BLEND_DST_ALPHA));
-}
-
 void setOpacityPerLength(const ContextRecord& context, const glm::dmat3& gauge, DrawState& state)
 {
     if (!(context.state.unitLength > 0.0)) return;

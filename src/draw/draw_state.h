@@ -44,10 +44,6 @@ void setOpacityPerLength(const ContextRecord& context, const glm::dmat3& gauge, 
 
 DrawState readDrawState(const ContextRecord& context);
 
-/// Whether a filled fragment with an alpha of exactly 0 changes nothing, whatever its colour, neither in the
-/// framebuffer nor in what OpenGL tells of the draw.
-bool clearFragmentsLeaveNoTrace(const ContextRecord& context);
-
 /// The part that changes from brick to brick.
 void readBoundTexture(const ContextRecord& context, DrawState& state);
 

@@ -1,6 +1,7 @@
 #include "frame/frame.h"
 
 #include "core/log.h"
+#include "draw/compositing_state.h"
 #include "draw/draw_faces.h"
 #include "draw/draw_state.h"
 #include "draw/scoped_state.h"

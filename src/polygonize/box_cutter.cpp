@@ -50,23 +50,10 @@ bool BoxCutter::cutAlong(int axis, const CutPolygon& polygon)
     return true;
 }
 
-/// True when the polygon lies in an upper face that is a lower face of another box.
-bool BoxCutter::belongsToNext() const
-{
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!inUpperFace_[axis]) continue;
-        BoxLattice::Cell neighbour = cell_;
-        neighbour[axis] =
-            lattice_.intervals(static_cast<int>(axis))[static_cast<std::size_t>(cell_[axis])].next;
-        if (!lattice_.boxes(neighbour).empty()) return true;
-    }
-    return false;
-}
-
 bool BoxCutter::emitTo(const CutPolygon& polygon)
 {
     const auto boxes = lattice_.boxes(cell_);
-    if (boxes.empty() || belongsToNext()) return true;
+    if (boxes.empty() || lattice_.belongsToNext(cell_, inUpperFace_)) return true;
     const std::span<const float> face = rounded(polygon);
     for (const auto& [cell, box] : boxes)
         if (!face.empty() && !sink_->append(box, sample_, face)) return false;

@@ -29,7 +29,6 @@ public:
 
 private:
     bool cutAlong(int axis, const CutPolygon& polygon);
-    bool belongsToNext() const;
     bool emitTo(const CutPolygon& polygon);
     std::span<const float> rounded(const CutPolygon& polygon);
 

@@ -122,6 +122,18 @@ std::span<const BoxLattice::Entry> BoxLattice::boxes(const Cell& cell) const
     return {first, last};
 }
 
+bool BoxLattice::belongsToNext(const Cell& cell, const std::array<bool, 3>& inUpperFace) const
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        if (!inUpperFace[a]) continue;
+        Cell neighbour = cell;
+        neighbour[a] = intervals(axis)[static_cast<std::size_t>(cell[a])].next;
+        if (!boxes(neighbour).empty()) return true;
+    }
+    return false;
+}
+
 void BoxLattice::snap(CutPolygon& polygon) const
 {
     for (int i = 0; i < polygon.count; ++i) {

@@ -44,6 +44,8 @@ public:
     };
     /// The boxes of a cell: one, none, or several equal ones.
     std::span<const Entry> boxes(const Cell& cell) const;
+    /// Whether what lies in upper faces of a cell, on some axes, lies in a lower face of another box.
+    bool belongsToNext(const Cell& cell, const std::array<bool, 3>& inUpperFace) const;
 
     /// True when intervals of an axis overlap nowhere, so that boxes do so only by being equal.
     bool standApart() const;

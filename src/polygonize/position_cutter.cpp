@@ -159,24 +159,11 @@ bool PositionCutter::cutAlong(std::size_t axis, const Polygon& polygon)
     return true;
 }
 
-/// True when the polygon lies in an upper face that is a lower face of another box.
-bool PositionCutter::belongsToNext() const
-{
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!inUpperFace_[axis]) continue;
-        BoxLattice::Cell neighbour = cell_;
-        neighbour[axis] =
-            lattice_.intervals(static_cast<int>(axis))[static_cast<std::size_t>(cell_[axis])].next;
-        if (!lattice_.boxes(neighbour).empty()) return true;
-    }
-    return false;
-}
-
 /// In single precision, without the vertices that fall on the one before.
 bool PositionCutter::emitTo(const Polygon& polygon)
 {
     const auto boxes = lattice_.boxes(cell_);
-    if (boxes.empty() || belongsToNext()) return true;
+    if (boxes.empty() || lattice_.belongsToNext(cell_, inUpperFace_)) return true;
     float* const first = face_.data();
     float* end = first;
     const auto same = [](const float* a, const float* b) {

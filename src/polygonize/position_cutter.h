@@ -54,7 +54,6 @@ private:
     void slice(const TetraInBoxes& tetra, double offset, unsigned mask);
     double snapped(const Near& near, double coordinate) const;
     bool cutAlong(std::size_t axis, const Polygon& polygon);
-    bool belongsToNext() const;
     bool emitTo(const Polygon& polygon);
 
     const BoxLattice& lattice_;

@@ -1,8 +1,7 @@
 #include "polygonize/write_slices.h"
 
-// Targets that add nothing here to those that are kept, and vectors of unknown length.
-#define HWY_DISABLED_TARGETS                                                                                 \
-    (HWY_AVX3_DL | HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#include "core/highway_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "polygonize/write_slices.cpp"
 #include <hwy/foreach_target.h>
