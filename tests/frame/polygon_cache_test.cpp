@@ -148,10 +148,7 @@ TEST(PolygonCache, turnsBelowTheThresholdKeepThePolygons)
 
 TEST(PolygonCache, runsOfVoxelCoordinatesAreOneSampleEach)
 {
-    TetraSet set = cube(kSize).withValues(3);
-    for (std::size_t i = 0; i < set.records.size(); i += 6)
-        std::copy_n(&set.records[i + 3], 3, &set.records[i]);
-    set.voxelColumn = 0;
+    const TetraSet set = cube(kSize).withVoxels([](const glm::dvec3& voxel) { return voxel; });
     const std::vector<vo::Box> boxes = bricks(2, kSize);
     vo::PolygonCache cache;
     cache.update(requestOf(set, boxes, kView), 0.0);

@@ -1,56 +1,20 @@
 #include "polygonize/polygonize.h"
 
-#include "exact_section.h"
+#include "cuts.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <set>
 
 using namespace scenes;
+using cuts::Cut, cuts::cutUp, cuts::expectAreasOfSections, cuts::forViews, cuts::kSize, cuts::sectionOf;
 
 namespace {
 
-constexpr double kSize = 48.0;           // coordinates from 32 to 64: four units in the last place are 1.5e-5
 constexpr double kUlp = 1.0 / (1 << 18); // of a float in [32, 64)
-
-struct Cut
-{
-    vo::PlaneFamily planes;
-    vo::PolygonizeResult result;
-    Faces faces;
-};
-
-Cut cutUp(const TetraSet& set, std::span<const vo::Box> boxes, const vo::Camera& camera,
-          const vo::SamplingRequest& request)
-{
-    Cut cut{vo::samplingPlanes(set.view(), camera, request), {}, Faces(set.values)};
-    vo::PolygonizeWorkspace workspace;
-    cut.result = vo::polygonize(set.view(), boxes, camera, request, workspace, cut.faces);
-    EXPECT_TRUE(cut.result.complete);
-    EXPECT_EQ(cut.result.samples, cut.planes.count);
-    EXPECT_EQ(cut.result.spacing, cut.planes.spacing);
-    return cut;
-}
-
-exact::Section sectionOf(const vo::PlaneFamily& planes, int k)
-{
-    return {planes.normal, planes.offset(k)};
-}
-
-void expectAreasOfSections(const Cut& cut, const TetraSet& set, const vo::Box& box, int everyNth = 1)
-{
-    const std::vector<double> areas = cut.faces.areas(cut.planes.count);
-    for (int k = 0; k < cut.planes.count; k += everyNth) {
-        const double area = exact::sectionArea(set.view(), box, sectionOf(cut.planes, k));
-        EXPECT_NEAR(areas[static_cast<std::size_t>(k)], area, 1e-5 * area + 1e-6 * kSize * kSize)
-            << "plane " << k;
-    }
-}
 
 void expectFacesInPlaneAndBox(const Cut& cut, std::span<const vo::Box> boxes)
 {
@@ -71,45 +35,13 @@ void expectFacesInPlaneAndBox(const Cut& cut, std::span<const vo::Box> boxes)
     }
 }
 
-using Bits = std::array<std::uint32_t, 3>;
-
-Bits bitsOf(const float* position)
-{
-    Bits bits;
-    std::memcpy(bits.data(), position, sizeof bits);
-    return bits;
-}
-
-bool onOuterFace(const vo::Box& hull, const glm::dvec3& a, const glm::dvec3& b)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double face : {hull.lower[axis], hull.upper[axis]})
-            if (a[axis] == face && b[axis] == face) return true;
-    return false;
-}
-
-/// Each edge of a plane's faces is the reverse of one other, bit for bit, unless it lies on the outer
-/// boundary.
+/// Sides are closed unless they lie on the outer boundary.
 void expectClosedSeams(const Faces& faces, const vo::Box& hull)
 {
-    std::map<std::tuple<int, Bits, Bits>, int> edges;
-    for (const Face& face : faces.all)
-        for (int i = 0; i < face.count(); ++i)
-            ++edges[{face.sample, bitsOf(face.position(i)), bitsOf(face.position((i + 1) % face.count()))}];
-    int interior = 0;
-    for (const Face& face : faces.all)
-        for (int i = 0; i < face.count(); ++i) {
-            const int next = (i + 1) % face.count();
-            const auto there =
-                edges.find({face.sample, bitsOf(face.position(i)), bitsOf(face.position(next))});
-            ASSERT_EQ(there->second, 1) << "plane " << face.sample;
-            if (onOuterFace(hull, face.point(i), face.point(next))) continue;
-            const auto back =
-                edges.find({face.sample, bitsOf(face.position(next)), bitsOf(face.position(i))});
-            ASSERT_NE(back, edges.end()) << "plane " << face.sample << " brick " << face.brick;
-            ++interior;
-        }
-    EXPECT_GT(interior, 0);
+    EXPECT_GT(
+        cuts::expectClosedSeams(faces, [&](const Face&, const glm::dvec3& a,
+                                           const glm::dvec3& b) { return !cuts::liesInFace(hull, a, b); }),
+        0);
 }
 
 struct NamedSet
@@ -126,33 +58,26 @@ std::vector<NamedSet> coveringSets()
             {"jittered lattice", jitteredLattice(5, -6.0, kSize + 6.0, 0.12, 7)}};
 }
 
+/// Calls check(set, boxes) for these sets and one, eight and 27 bricks.
 template <class Check>
-void forViews(int count, unsigned seed, const Check& check)
+void forSetsAndBricks(const Check& check)
 {
-    std::mt19937 random(seed);
-    for (int i = 0; i < count; ++i) {
-        const glm::dmat4 rotation = randomRotation(random);
-        for (const bool perspective : {false, true}) {
-            SCOPED_TRACE(testing::Message()
-                         << "view " << i << (perspective ? " perspective" : " orthographic"));
-            check(camera(kSize, rotation, perspective));
+    for (const NamedSet& each : coveringSets())
+        for (const int perAxis : {1, 2, 3}) {
+            SCOPED_TRACE(testing::Message() << each.name << ", bricks per axis " << perAxis);
+            check(each.set, bricks(perAxis, kSize));
         }
-    }
 }
 
 } // namespace
 
 TEST(Polygonize, facesSumToCrossSectionForAnySetAndBricks)
 {
-    for (const NamedSet& each : coveringSets())
-        for (const int perAxis : {1, 2, 3}) {
-            SCOPED_TRACE(testing::Message() << each.name << ", bricks per axis " << perAxis);
-            const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
-            forViews(3, 11, [&](const vo::Camera& view) {
-                const Cut cut = cutUp(each.set, boxes, view, everyVoxel());
-                expectAreasOfSections(cut, each.set, hull(boxes), 3);
-            });
-        }
+    forSetsAndBricks([](const TetraSet& set, std::span<const vo::Box> boxes) {
+        forViews(3, 11, [&](const vo::Camera& view) {
+            expectAreasOfSections(cutUp(set, boxes, view, everyVoxel()), set, hull(boxes), 3);
+        });
+    });
 }
 
 TEST(Polygonize, facesOfSetInsideBricksSumToItsOwnCrossSection)
@@ -185,27 +110,21 @@ TEST(Polygonize, coveredBoxGivesClosedFormOfItsCrossSection)
 
 TEST(Polygonize, facesLieInTheirPlaneAndTheirClipBox)
 {
-    for (const NamedSet& each : coveringSets())
-        for (const int perAxis : {1, 2, 3}) {
-            SCOPED_TRACE(testing::Message() << each.name << ", bricks per axis " << perAxis);
-            const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
-            forViews(4, 14, [&](const vo::Camera& view) {
-                expectFacesInPlaneAndBox(cutUp(each.set, boxes, view, everyVoxel()), boxes);
-            });
-        }
+    forSetsAndBricks([](const TetraSet& set, std::span<const vo::Box> boxes) {
+        forViews(4, 14, [&](const vo::Camera& view) {
+            expectFacesInPlaneAndBox(cutUp(set, boxes, view, everyVoxel()), boxes);
+        });
+    });
 }
 
 TEST(Polygonize, seamVerticesAreEqualBitForBit)
 {
-    for (const NamedSet& each : coveringSets())
-        for (const int perAxis : {1, 2, 3}) {
-            SCOPED_TRACE(testing::Message() << each.name << ", bricks per axis " << perAxis);
-            const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
-            if (each.set.view().tetraCount() == 1 && perAxis == 1) continue; // no seam
-            forViews(4, 15, [&](const vo::Camera& view) {
-                expectClosedSeams(cutUp(each.set, boxes, view, everyVoxel()).faces, hull(boxes));
-            });
-        }
+    forSetsAndBricks([](const TetraSet& set, std::span<const vo::Box> boxes) {
+        if (set.view().tetraCount() == 1 && boxes.size() == 1) return; // no seam
+        forViews(4, 15, [&](const vo::Camera& view) {
+            expectClosedSeams(cutUp(set, boxes, view, everyVoxel()).faces, hull(boxes));
+        });
+    });
 }
 
 TEST(Polygonize, seamsCloseWhenDepthIsStretched)
@@ -267,10 +186,10 @@ TEST(Polygonize, areaTimesSpacingConvergesToTheVolume)
             vo::SamplingRequest request;
             request.maxSamples = samples;
             const Cut cut = cutUp(cube(kSize), boxes, view, request);
-            EXPECT_EQ(cut.result.samples, samples);
+            EXPECT_EQ(cut.planes.count, samples);
             const std::vector<double> areas = cut.faces.areas(samples);
             // Offsets are lengths along the view, the distance between planes is shorter.
-            const double distance = cut.result.spacing / glm::length(cut.planes.normal);
+            const double distance = cut.planes.spacing / glm::length(cut.planes.normal);
             const double sum = std::accumulate(areas.begin(), areas.end(), 0.0) * distance;
             const double error = std::abs(sum / volume - 1.0);
             EXPECT_LT(error, std::min(previous, 20.0 / samples / samples + 1e-6));
@@ -295,7 +214,7 @@ TEST(Polygonize, planeThroughSharedFaceYieldsItOnce)
         request.space = vo::SamplingSpace::viewVolume;
         request.period = glm::dvec3(16.0);
         const Cut cut = cutUp(set, boxes, view, request);
-        ASSERT_EQ(cut.result.samples, 5);
+        ASSERT_EQ(cut.planes.count, 5);
         for (const double area : cut.faces.areas(5))
             EXPECT_EQ(area, 64.0 * 64.0);
         EXPECT_EQ(cut.faces.all.size(), 5u * 2u * 16u); // two triangles a cell, each once
@@ -362,30 +281,25 @@ TEST(Polygonize, hugeTetrahedraAreCutLikeOthers)
     vo::SamplingRequest request = everyVoxel(64);
     const Cut cut =
         cutUp(set, bricks(2, kSize), camera(kSize, gl_matrices::rotate(20, {1, 1, 0}), false), request);
-    EXPECT_EQ(cut.result.samples, 64);
+    EXPECT_EQ(cut.planes.count, 64);
     const std::vector<vo::Box> boxes = bricks(2, kSize);
     expectAreasOfSections(cut, set, hull(boxes));
 }
 
 TEST(Polygonize, headOnPlanesInFacesAndSeamsLoseNothing)
 {
-    // Turns by quarters, with the rounding that cosines and sines bring.
     for (const int perAxis : {1, 2, 3})
         for (const TetraSet& set : {cube(kSize), jitteredLattice(3, 0.0, kSize, 0.0, 1)})
             for (const double x : {0.0, 90.0, 180.0, 270.0})
                 for (const double y : {0.0, 90.0, 180.0, 270.0})
                     for (const double noise : {0.0, 1e-16, -3e-16}) {
                         SCOPED_TRACE(testing::Message() << perAxis << " bricks, turned " << x << " " << y);
-                        glm::dmat4 turn =
-                            gl_matrices::rotate(x, {1, 0, 0}) * gl_matrices::rotate(y, {0, 1, 0});
-                        turn[0][2] += noise;
-                        turn[1][2] -= 2 * noise;
-                        turn[2][2] += 0.7 * noise;
+                        const glm::dmat4 turn = headOnTurn(x, y, noise);
                         const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
                         const Cut cut = cutUp(set, boxes, camera(kSize, turn, false), everyVoxel());
-                        ASSERT_EQ(cut.result.samples, kSize);
-                        const std::vector<double> areas = cut.faces.areas(cut.result.samples);
-                        for (int k = 0; k < cut.result.samples; ++k)
+                        ASSERT_EQ(cut.planes.count, kSize);
+                        const std::vector<double> areas = cut.faces.areas(cut.planes.count);
+                        for (int k = 0; k < cut.planes.count; ++k)
                             ASSERT_NEAR(areas[static_cast<std::size_t>(k)], 47.0 * 47.0, 1e-3)
                                 << "plane " << k;
                     }
@@ -394,10 +308,8 @@ TEST(Polygonize, headOnPlanesInFacesAndSeamsLoseNothing)
 TEST(Polygonize, boxesKeepLowerFacesAndDropUpperOnesButTheVolumes)
 {
     const std::vector<vo::Box> boxes = lattice({0.5, 8.5, 15.5}, {0.5, 15.5}, {0.5, 15.5});
-    vo::Camera view; // along -z; turned along x below
-    view.direction = view.depthNormal = {1, 0, 0};
-    const Cut cut = cutUp(cube(16), boxes, view, everyVoxel());
-    ASSERT_EQ(cut.result.samples, 16);
+    const Cut cut = cutUp(cube(16), boxes, parallelCamera({1, 0, 0}), everyVoxel());
+    ASSERT_EQ(cut.planes.count, 16);
     for (const Face& face : cut.faces.all)
         EXPECT_EQ(face.brick, face.point(0).x < 8.5 ? 0 : 1);
     for (const double area : cut.faces.areas(16))
@@ -408,9 +320,7 @@ TEST(Polygonize, upperFaceWithoutNeighbourIsKept)
 {
     std::vector<vo::Box> boxes = lattice({0.5, 8.5, 15.5}, {0.5, 8.5, 15.5}, {0.5, 15.5});
     boxes.pop_back(); // the one with both x and y above 8.5
-    vo::Camera view;
-    view.direction = view.depthNormal = {1, 0, 0};
-    const Cut cut = cutUp(cube(16), boxes, view, everyVoxel());
+    const Cut cut = cutUp(cube(16), boxes, parallelCamera({1, 0, 0}), everyVoxel());
     const std::vector<double> areas = cut.faces.areas(16);
     EXPECT_EQ(areas[7], 15.0 * 15.0) << "x = 8.5";
     EXPECT_EQ(areas[6], 8.0 * 15.0) << "x = 9.5";
@@ -421,7 +331,7 @@ TEST(Polygonize, equalBoxesEachReceiveTheFaces)
     std::vector<vo::Box> boxes = bricks(1, kSize);
     boxes.push_back(boxes[0]);
     const Cut cut = cutUp(cube(kSize), boxes, camera(kSize, glm::dmat4(1), false), everyVoxel());
-    for (const double area : cut.faces.areas(cut.result.samples))
+    for (const double area : cut.faces.areas(cut.planes.count))
         EXPECT_NEAR(area, 2 * 47.0 * 47.0, 1e-3);
 }
 
@@ -436,7 +346,7 @@ TEST(Polygonize, axisAlignedPlanesCrossTheAxis)
         request.period = glm::dvec3(1.0, 0.5, 2.0);
         const Cut cut = cutUp(cube(kSize), boxes, view, request);
         const int axis = vo::closestAxis(view);
-        EXPECT_EQ(cut.result.samples, static_cast<int>(kSize / (*request.period)[axis]));
+        EXPECT_EQ(cut.planes.count, static_cast<int>(kSize / (*request.period)[axis]));
         for (const Face& face : cut.faces.all)
             for (int v = 0; v < face.count(); ++v)
                 EXPECT_EQ(face.point(v)[axis] * cut.planes.normal[axis], cut.planes.offset(face.sample));
@@ -449,13 +359,9 @@ TEST(Polygonize, stackPlanesAtBothEndsOfTheSetAreDrawn)
 {
     // A set that begins and ends on voxel centres: its first and last faces lie in planes.
     for (const double side : {1.0, -1.0}) {
-        vo::Camera view;
-        view.direction = view.depthNormal = {0, 0, side};
-        vo::SamplingRequest request = everyVoxel();
-        request.mode = vo::SamplingMode::axisAligned;
-        request.stackAxis = 2;
-        const Cut cut = cutUp(cube(glm::dvec3(0.5), glm::dvec3(15.5)), bricks(1, 16), view, request);
-        ASSERT_EQ(cut.result.samples, 16);
+        const vo::Camera view = parallelCamera({0, 0, side});
+        const Cut cut = cutUp(cube(glm::dvec3(0.5), glm::dvec3(15.5)), bricks(1, 16), view, everySlice(2));
+        ASSERT_EQ(cut.planes.count, 16);
         for (const double area : cut.faces.areas(16))
             EXPECT_EQ(area, 15.0 * 15.0);
         for (const Face& face : cut.faces.all)
@@ -465,13 +371,10 @@ TEST(Polygonize, stackPlanesAtBothEndsOfTheSetAreDrawn)
 
 TEST(Polygonize, sliceOfSingleLayerFillsItsFlatBox)
 {
-    vo::Camera view;
-    vo::SamplingRequest request = everyVoxel();
-    request.mode = vo::SamplingMode::axisAligned;
-    request.stackAxis = 2;
     const std::vector<vo::Box> boxes = lattice({0.5, 7.5}, {0.5, 3.5, 7.5}, {0.5, 0.5});
-    const Cut cut = cutUp(cube(glm::dvec3(0), glm::dvec3(8, 8, 1)), boxes, view, request);
-    ASSERT_EQ(cut.result.samples, 1);
+    const Cut cut =
+        cutUp(cube(glm::dvec3(0), glm::dvec3(8, 8, 1)), boxes, parallelCamera({0, 0, -1}), everySlice(2));
+    ASSERT_EQ(cut.planes.count, 1);
     EXPECT_EQ(cut.faces.areas(1)[0], 49.0);
 }
 
@@ -484,7 +387,7 @@ TEST(Polygonize, viewVolumePlanesSpanTheFrustum)
         request.space = vo::SamplingSpace::viewVolume;
         const Cut cut =
             cutUp(cube(kSize), boxes, camera(kSize, randomRotation(random), perspective), request);
-        EXPECT_EQ(cut.result.samples, 3 * static_cast<int>(kSize) + 1);
+        EXPECT_EQ(cut.planes.count, 3 * static_cast<int>(kSize) + 1);
         expectAreasOfSections(cut, cube(kSize), hull(boxes), 4);
         expectFacesInPlaneAndBox(cut, boxes);
     }
@@ -498,7 +401,7 @@ TEST(Polygonize, primitivePlanesDivideEachTetrahedron)
     request.space = vo::SamplingSpace::primitive;
     forViews(2, 31, [&](const vo::Camera& view) {
         const Cut cut = cutUp(set, boxes, view, request);
-        std::vector<double> expected(static_cast<std::size_t>(cut.result.samples));
+        std::vector<double> expected(static_cast<std::size_t>(cut.planes.count));
         int most = 0;
         for (int tetra = 0; tetra < set.view().tetraCount(); ++tetra) {
             const vo::PlaneFamily own = vo::primitivePlanes(set.view(), tetra, view, request);
@@ -509,8 +412,8 @@ TEST(Polygonize, primitivePlanesDivideEachTetrahedron)
                 expected[static_cast<std::size_t>(k)] +=
                     exact::sectionArea(one, hull(boxes), sectionOf(own, k));
         }
-        EXPECT_EQ(cut.result.samples, most);
-        const std::vector<double> areas = cut.faces.areas(cut.result.samples);
+        EXPECT_EQ(cut.planes.count, most);
+        const std::vector<double> areas = cut.faces.areas(cut.planes.count);
         for (std::size_t k = 0; k < areas.size(); ++k)
             EXPECT_NEAR(areas[k], expected[k], 1e-5 * expected[k] + 1e-6 * kSize * kSize);
     });
@@ -523,8 +426,7 @@ TEST(Polygonize, slicesTooSmallForSinglePrecisionAreDropped)
                                 glm::dvec3(992, 992, 1008)})
         set.add(p);
     set.indices = {0, 1, 2, 3};
-    vo::Camera view;
-    view.direction = view.depthNormal = {0, 0, 1};
+    vo::Camera view = parallelCamera({0, 0, 1});
     view.nearDepth = 1000 + 1e-6; // less than half a unit in the last place from the tip
     view.farDepth = 1004;
     vo::SamplingRequest request = everyVoxel(2);
@@ -542,8 +444,7 @@ TEST(Polygonize, verticesThatSinglePrecisionCannotTellApartAreOne)
                                 glm::dvec3(1000, 1008, 992), glm::dvec3(992, 992, 992)})
         set.add(p);
     set.indices = {0, 1, 2, 3};
-    vo::Camera view;
-    view.direction = view.depthNormal = {0, 0, 1};
+    vo::Camera view = parallelCamera({0, 0, 1});
     view.nearDepth = 990;
     view.farDepth = 1000 - 1e-6; // cuts off the second vertex with an edge of a micron
     vo::SamplingRequest request = everyVoxel(1);
@@ -558,34 +459,20 @@ TEST(Polygonize, nothingToCutGivesNoFaces)
 {
     const vo::Camera view = camera(kSize, glm::dmat4(1), true);
     const Cut noTetra = cutUp(TetraSet{}, bricks(2, kSize), view, everyVoxel());
-    EXPECT_EQ(noTetra.result.samples, 0);
+    EXPECT_EQ(noTetra.planes.count, 0);
     EXPECT_TRUE(noTetra.faces.all.empty());
     const Cut noBrick = cutUp(cube(kSize), {}, view, everyVoxel());
-    EXPECT_GT(noBrick.result.samples, 0);
+    EXPECT_GT(noBrick.planes.count, 0);
     EXPECT_TRUE(noBrick.faces.all.empty());
-    TetraSet flat;
-    for (int i = 0; i < 4; ++i)
-        flat.add({i, i * i, 5});
-    flat.indices = {0, 1, 2, 3};
-    const Cut noDepth = cutUp(flat, bricks(2, kSize), camera(kSize, glm::dmat4(1), false), everyVoxel());
-    EXPECT_EQ(noDepth.result.samples, 1);
+    const Cut noDepth =
+        cutUp(flatTetra(), bricks(2, kSize), camera(kSize, glm::dmat4(1), false), everyVoxel());
+    EXPECT_EQ(noDepth.planes.count, 1);
     EXPECT_TRUE(noDepth.faces.all.empty());
 }
 
-/// Voxel coordinates of their own: the whole volume in a unit cube, its z axis along x.
 TEST(Polygonize, bricksCutVoxelCoordinatesWhereRecordsHaveThem)
 {
-    TetraSet set = cube(kSize);
-    std::vector<float> records;
-    for (std::size_t i = 0; i < set.records.size(); i += 3) {
-        const float* p = &set.records[i];
-        records.insert(records.end(), {p[0], p[1], p[2]});
-        for (const float value : {p[2], p[0], p[1]})
-            records.push_back(value / float(kSize));
-    }
-    set.records = records;
-    set.values = 6;
-    set.voxelColumn = 0;
+    const TetraSet set = cube(kSize).withVoxels(cuts::turnedIntoUnitCube);
     vo::SamplingRequest request = everyVoxel();
     request.period = glm::dvec3(1 / kSize);
     const vo::Camera view = camera(1, gl_matrices::rotate(33, {1, 2, 0}), true);

@@ -31,6 +31,9 @@ struct TetraSet
     }
     /// Puts values before each position: value j is a linear function of the position, `linear(j, p)`.
     TetraSet withValues(int count) const;
+    /// The positions become voxel coordinates, behind the values `before`; place(p) is the new position of p.
+    template <class Place>
+    TetraSet withVoxels(const Place& place, const std::vector<float>& before = {}) const;
 };
 
 /// The linear functions that withValues stores, far from zero where coordinates lie between -8 and 64.
@@ -50,6 +53,22 @@ inline TetraSet TetraSet::withValues(int count) const
             result.records.push_back(static_cast<float>(linear(j, {p[0], p[1], p[2]})));
         result.records.insert(result.records.end(), records.begin() + static_cast<std::ptrdiff_t>(i),
                               records.begin() + static_cast<std::ptrdiff_t>(i) + values);
+    }
+    return result;
+}
+
+template <class Place>
+TetraSet TetraSet::withVoxels(const Place& place, const std::vector<float>& before) const
+{
+    TetraSet result;
+    result.values = static_cast<int>(before.size()) + 6;
+    result.indices = indices;
+    result.voxelColumn = static_cast<int>(before.size());
+    for (std::size_t i = 0; i < records.size(); i += static_cast<std::size_t>(values)) {
+        const float* p = records.data() + i + values - 3;
+        result.records.insert(result.records.end(), before.begin(), before.end());
+        result.records.insert(result.records.end(), p, p + 3);
+        result.add(place(glm::dvec3(p[0], p[1], p[2])));
     }
     return result;
 }
@@ -78,6 +97,16 @@ inline TetraSet largeTetra(double size)
     set.add(glm::dvec3(4.5 * size, -0.5 * size, -0.45 * size));
     set.add(glm::dvec3(-0.55 * size, 4.6 * size, -0.5 * size));
     set.add(glm::dvec3(-0.45 * size, -0.6 * size, 4.7 * size));
+    set.indices = {0, 1, 2, 3};
+    return set;
+}
+
+/// One tetrahedron in the plane z = 5.
+inline TetraSet flatTetra()
+{
+    TetraSet set;
+    for (int i = 0; i < 4; ++i)
+        set.add({i, i * i, 5});
     set.indices = {0, 1, 2, 3};
     return set;
 }
@@ -161,11 +190,38 @@ inline vo::Camera camera(double size, const glm::dmat4& rotation, bool perspecti
     return vo::findCamera(model, projection).value();
 }
 
+/// A viewer who looks in parallel along `direction`, of unit length.
+inline vo::Camera parallelCamera(const glm::dvec3& direction)
+{
+    vo::Camera view;
+    view.direction = view.depthNormal = direction;
+    return view;
+}
+
+/// Turns by quarters about x and y, with the rounding that cosines and sines bring.
+inline glm::dmat4 headOnTurn(double degreesX, double degreesY, double rounding)
+{
+    glm::dmat4 turn = gl_matrices::rotate(degreesX, {1, 0, 0}) * gl_matrices::rotate(degreesY, {0, 1, 0});
+    turn[0][2] += rounding;
+    turn[1][2] -= 2 * rounding;
+    turn[2][2] += 0.7 * rounding;
+    return turn;
+}
+
 inline vo::SamplingRequest everyVoxel(int maxSamples = 4096)
 {
     vo::SamplingRequest request;
     request.period = glm::dvec3(1.0);
     request.maxSamples = maxSamples;
+    return request;
+}
+
+/// Planes in the middle of the slices of a stack of two-dimensional textures.
+inline vo::SamplingRequest everySlice(int stackAxis)
+{
+    vo::SamplingRequest request = everyVoxel();
+    request.mode = vo::SamplingMode::axisAligned;
+    request.stackAxis = stackAxis;
     return request;
 }
 

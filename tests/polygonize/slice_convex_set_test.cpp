@@ -1,21 +1,17 @@
 #include "polygonize/slice_convex_set.h"
 
-#include "exact_section.h"
+#include "cuts.h"
 #include "scenes.h"
 #include "stack_faces.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-#include <map>
-#include <numeric>
 #include <set>
 
 using namespace scenes;
+using cuts::Cut, cuts::forViews, cuts::kSize;
 
 namespace {
-
-constexpr double kSize = 48.0;
 
 double volume(const vo::ConvexBody& body)
 {
@@ -39,21 +35,14 @@ void expectTwinsAgree(const vo::ConvexBody& body)
     }
 }
 
-struct Sliced
-{
-    vo::PlaneFamily planes;
-    vo::SamplingAxis axis;
-    Faces faces;
-};
-
-Sliced sliceAsBody(const TetraSet& set, std::span<const vo::Box> boxes, const vo::Camera& camera,
-                   const vo::SamplingRequest& request)
+Cut sliceAsBody(const TetraSet& set, std::span<const vo::Box> boxes, const vo::Camera& camera,
+                const vo::SamplingRequest& request)
 {
     const auto body = vo::convexSet(set.view());
     EXPECT_TRUE(body);
-    Sliced result;
-    result.axis = vo::samplingAxis(set.view(), camera, request);
-    result.planes = vo::samplingPlanes(set.view(), result.axis, camera, request);
+    Cut result;
+    const vo::SamplingAxis axis = vo::samplingAxis(set.view(), camera, request);
+    result.planes = vo::samplingPlanes(set.view(), axis, camera, request);
     vo::Box bounds{set.view().position(0), set.view().position(0)};
     for (const int vertex : set.indices)
         bounds = {glm::min(bounds.lower, set.view().position(vertex)),
@@ -63,71 +52,21 @@ Sliced sliceAsBody(const TetraSet& set, std::span<const vo::Box> boxes, const vo
     EXPECT_TRUE(lattice.standApart());
     vo::ConvexSlicer slicer;
     vo::PolygonStack stack;
-    slicer.slice(*body, bounds, result.planes, result.axis.set.nearest, lattice, stack);
+    slicer.slice(*body, bounds, result.planes, axis.set.nearest, lattice, stack);
     for (std::size_t i = 0; i + 1 < stack.runs.size(); ++i)
         EXPECT_LT(stack.runs[i].brick, stack.runs[i + 1].brick);
     result.faces = stack_faces::faces(stack, 3, result.planes);
     return result;
 }
 
-/// The section of each plane, by the sections of the tetrahedra.
-void expectSections(const Sliced& sliced, const TetraSet& set, const vo::Box& box, int everyNth)
-{
-    const std::vector<double> areas = sliced.faces.areas(sliced.planes.count);
-    for (int k = 0; k < sliced.planes.count; k += everyNth) {
-        const double area =
-            exact::sectionArea(set.view(), box, {sliced.planes.normal, sliced.planes.offset(k)});
-        EXPECT_NEAR(areas[static_cast<std::size_t>(k)], area, 1e-5 * area + 1e-6 * kSize * kSize)
-            << "plane " << k;
-    }
-}
-
-using Bits = std::array<std::uint32_t, 3>;
-
-Bits bitsOf(const float* position)
-{
-    Bits bits;
-    std::memcpy(bits.data(), position, sizeof bits);
-    return bits;
-}
-
-/// Sides of faces in a seam are the reverse of the neighbour's, bit for bit. Returns how many there are.
+/// How many sides lie in seams of the boxes, all of them closed.
 int expectClosedSeams(const Faces& faces, std::span<const vo::Box> boxes)
 {
-    std::set<std::tuple<int, Bits, Bits>> sides;
-    for (const Face& face : faces.all)
-        for (int i = 0; i < face.count(); ++i)
-            sides.insert(
-                {face.sample, bitsOf(face.position(i)), bitsOf(face.position((i + 1) % face.count()))});
     const vo::Box all = hull(boxes);
-    int seams = 0;
-    for (const Face& face : faces.all)
-        for (int i = 0; i < face.count(); ++i) {
-            const glm::dvec3 a = face.point(i), b = face.point((i + 1) % face.count());
-            const vo::Box& box = boxes[static_cast<std::size_t>(face.brick)];
-            for (int axis = 0; axis < 3; ++axis)
-                for (const double seam : {box.lower[axis], box.upper[axis]}) {
-                    if (a[axis] != seam || b[axis] != seam) continue;
-                    if (seam == all.lower[axis] || seam == all.upper[axis]) continue;
-                    ++seams;
-                    EXPECT_TRUE(sides.count({face.sample, bitsOf(face.position((i + 1) % face.count())),
-                                             bitsOf(face.position(i))}));
-                }
-        }
-    return seams;
-}
-
-template <class Check>
-void forViews(int count, unsigned seed, const Check& check)
-{
-    std::mt19937 random(seed);
-    for (int i = 0; i < count; ++i) {
-        const glm::dmat4 rotation = randomRotation(random);
-        for (const bool perspective : {false, true}) {
-            SCOPED_TRACE(testing::Message() << "view " << i << (perspective ? " perspective" : " parallel"));
-            check(camera(kSize, rotation, perspective));
-        }
-    }
+    return cuts::expectClosedSeams(faces, [&](const Face& face, const glm::dvec3& a, const glm::dvec3& b) {
+        return cuts::liesInFace(boxes[static_cast<std::size_t>(face.brick)], a, b) &&
+               !cuts::liesInFace(all, a, b);
+    });
 }
 
 std::vector<TetraSet> convexSets()
@@ -186,7 +125,7 @@ TEST(ConvexSlicer, facesAreTheSectionsOfTheTetrahedra)
         for (const int perAxis : {1, 3}) {
             const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
             forViews(3, 41, [&](const vo::Camera& view) {
-                expectSections(sliceAsBody(set, boxes, view, everyVoxel()), set, hull(boxes), 3);
+                cuts::expectAreasOfSections(sliceAsBody(set, boxes, view, everyVoxel()), set, hull(boxes), 3);
             });
         }
 }
@@ -196,7 +135,7 @@ TEST(ConvexSlicer, planeHasOneConvexFaceInABox)
     for (const TetraSet& set : convexSets())
         forViews(3, 42, [&](const vo::Camera& view) {
             const std::vector<vo::Box> boxes = bricks(2, kSize);
-            const Sliced sliced = sliceAsBody(set, boxes, view, everyVoxel());
+            const Cut sliced = sliceAsBody(set, boxes, view, everyVoxel());
             std::set<std::pair<int, int>> seen;
             ASSERT_FALSE(sliced.faces.all.empty());
             for (const Face& face : sliced.faces.all) {
@@ -228,13 +167,9 @@ TEST(ConvexSlicer, headOnPlanesInFacesAndSeamsLoseNothing)
             for (const double y : {0.0, 90.0, 180.0, 270.0})
                 for (const double noise : {0.0, 1e-16, -3e-16, 2e-8}) {
                     SCOPED_TRACE(testing::Message() << perAxis << " bricks, turned " << x << " " << y);
-                    glm::dmat4 turn = gl_matrices::rotate(x, {1, 0, 0}) * gl_matrices::rotate(y, {0, 1, 0});
-                    turn[0][2] += noise;
-                    turn[1][2] -= 2 * noise;
-                    turn[2][2] += 0.7 * noise;
                     const std::vector<vo::Box> boxes = bricks(perAxis, kSize);
-                    const Sliced sliced =
-                        sliceAsBody(cube(kSize), boxes, camera(kSize, turn, false), everyVoxel(48));
+                    const Cut sliced = sliceAsBody(
+                        cube(kSize), boxes, camera(kSize, headOnTurn(x, y, noise), false), everyVoxel(48));
                     ASSERT_EQ(sliced.planes.count, kSize);
                     ASSERT_EQ(sliced.faces.all.size(), boxes.size() / static_cast<std::size_t>(perAxis) * 48);
                     for (const double area : sliced.faces.areas(sliced.planes.count))
@@ -244,10 +179,9 @@ TEST(ConvexSlicer, headOnPlanesInFacesAndSeamsLoseNothing)
 
 TEST(ConvexSlicer, boxesKeepLowerFacesAndDropUpperOnesWithANeighbour)
 {
-    vo::Camera view;
-    view.direction = view.depthNormal = {1, 0, 0};
+    const vo::Camera view = parallelCamera({1, 0, 0});
     const std::vector<vo::Box> two = lattice({0.5, 8.5, 15.5}, {0.5, 15.5}, {0.5, 15.5});
-    const Sliced sliced = sliceAsBody(cube(16), two, view, everyVoxel());
+    const Cut sliced = sliceAsBody(cube(16), two, view, everyVoxel());
     for (const Face& face : sliced.faces.all)
         EXPECT_EQ(face.brick, face.point(0).x < 8.5 ? 0 : 1);
     for (const double area : sliced.faces.areas(16))
@@ -265,7 +199,7 @@ TEST(ConvexSlicer, equalBoxesEachReceiveTheFaces)
     std::vector<vo::Box> boxes = bricks(1, kSize);
     boxes.push_back(boxes[0]);
     forViews(1, 44, [&](const vo::Camera& view) {
-        const Sliced sliced = sliceAsBody(cube(kSize), boxes, view, everyVoxel());
+        const Cut sliced = sliceAsBody(cube(kSize), boxes, view, everyVoxel());
         std::array<std::vector<float>, 2> records;
         for (const Face& face : sliced.faces.all) {
             std::vector<float>& own = records.at(static_cast<std::size_t>(face.brick));
@@ -279,21 +213,17 @@ TEST(ConvexSlicer, equalBoxesEachReceiveTheFaces)
 TEST(ConvexSlicer, stackPlanesAtBothEndsAndInAFlatBoxAreDrawn)
 {
     for (const double side : {1.0, -1.0}) {
-        vo::Camera view;
-        view.direction = view.depthNormal = {0, 0, side};
-        vo::SamplingRequest request = everyVoxel();
-        request.mode = vo::SamplingMode::axisAligned;
-        request.stackAxis = 2;
-        const Sliced both =
-            sliceAsBody(cube(glm::dvec3(0.5), glm::dvec3(15.5)), bricks(1, 16), view, request);
+        const vo::Camera view = parallelCamera({0, 0, side});
+        const Cut both =
+            sliceAsBody(cube(glm::dvec3(0.5), glm::dvec3(15.5)), bricks(1, 16), view, everySlice(2));
         ASSERT_EQ(both.planes.count, 16);
         for (const Face& face : both.faces.all)
             EXPECT_LT(glm::dot(face.area(), view.depthNormal), 0.0);
         for (const double area : both.faces.areas(16))
             EXPECT_EQ(area, 15.0 * 15.0);
 
-        const Sliced flat = sliceAsBody(cube(glm::dvec3(0), glm::dvec3(8, 8, 1)),
-                                        lattice({0.5, 7.5}, {0.5, 3.5, 7.5}, {0.5, 0.5}), view, request);
+        const Cut flat = sliceAsBody(cube(glm::dvec3(0), glm::dvec3(8, 8, 1)),
+                                     lattice({0.5, 7.5}, {0.5, 3.5, 7.5}, {0.5, 0.5}), view, everySlice(2));
         ASSERT_EQ(flat.planes.count, 1);
         EXPECT_EQ(flat.faces.areas(1)[0], 49.0);
     }

@@ -1,6 +1,7 @@
 #include "polygonize/slice_occupied.h"
 
 #include "scenes.h"
+#include "stack_faces.h"
 
 #include <glm/geometric.hpp>
 
@@ -60,10 +61,8 @@ protected:
         triangles_.clear();
         for (const auto& run : slices_.runs)
             for (std::size_t i = run.first; i < run.first + run.count; i += 3) {
-                Triangle t{run.brick, 0, {corner(i), corner(i + 1), corner(i + 2)}};
-                t.plane = static_cast<int>(
-                    std::lround((planes_.first - glm::dot(planes_.normal, t.corners[0])) / planes_.spacing));
-                triangles_.push_back(t);
+                const int plane = stack_faces::planeOf(corner(i), planes_);
+                triangles_.push_back({run.brick, plane, {corner(i), corner(i + 1), corner(i + 2)}});
             }
     }
 

@@ -1,18 +1,18 @@
 #include "polygonize/slice_stack.h"
 
+#include "cuts.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
-#include <numeric>
+#include <limits>
 #include <tuple>
 
 using namespace scenes;
+using cuts::forViews, cuts::kSize, cuts::turnedIntoUnitCube;
 
 namespace {
-
-constexpr double kSize = 48.0;
 
 struct Polygon
 {
@@ -118,19 +118,6 @@ std::vector<TetraSet> sets()
             jitteredLattice(4, 2, kSize - 3, 0.1, 3).withValues(7)};
 }
 
-template <class Check>
-void forViews(int count, unsigned seed, const Check& check)
-{
-    std::mt19937 random(seed);
-    for (int i = 0; i < count; ++i) {
-        const glm::dmat4 rotation = randomRotation(random);
-        for (const bool perspective : {false, true}) {
-            SCOPED_TRACE(testing::Message() << "view " << i << (perspective ? " perspective" : " parallel"));
-            check(camera(kSize, rotation, perspective));
-        }
-    }
-}
-
 } // namespace
 
 TEST(StackSlicer, polygonsAreThoseOfPolygonizeBitForBit)
@@ -172,9 +159,7 @@ TEST(StackSlicer, planesInFacesSeamsAndVerticesAreThoseOfPolygonize)
          {cube(kSize), jitteredLattice(3, 0.0, kSize, 0.0, 1), jitteredLattice(6, 0.5, kSize - 0.5, 0.0, 1)})
         for (const double x : {0.0, 90.0, 180.0})
             for (const double noise : {0.0, 1e-16}) {
-                glm::dmat4 turn = gl_matrices::rotate(x, {1, 0, 0}) * gl_matrices::rotate(90 - x, {0, 1, 0});
-                turn[0][2] += noise;
-                turn[1][2] -= 2 * noise;
+                const glm::dmat4 turn = headOnTurn(x, 90 - x, noise);
                 for (const double period : {1.0, 2.0}) {
                     vo::SamplingRequest request = everyVoxel();
                     request.period = glm::dvec3(period);
@@ -184,13 +169,9 @@ TEST(StackSlicer, planesInFacesSeamsAndVerticesAreThoseOfPolygonize)
             }
     // Planes on the first and the last face of the set.
     for (const double side : {1.0, -1.0}) {
-        vo::Camera view;
-        view.direction = view.depthNormal = {0, 0, side};
-        vo::SamplingRequest request = everyVoxel();
-        request.mode = vo::SamplingMode::axisAligned;
-        request.stackAxis = 2;
         for (const auto& boxes : {bricks(1, 16), std::vector<vo::Box>{{glm::dvec3(-1), glm::dvec3(17)}}})
-            expectPolygonsOfPolygonize(cube(glm::dvec3(0.5), glm::dvec3(15.5)), boxes, view, request, slicer);
+            expectPolygonsOfPolygonize(cube(glm::dvec3(0.5), glm::dvec3(15.5)), boxes,
+                                       parallelCamera({0, 0, side}), everySlice(2), slicer);
     }
 }
 
@@ -214,17 +195,7 @@ TEST(StackSlicer, boxesMayRepeatOverlapMissOrBeFlat)
 
 TEST(StackSlicer, bricksCutVoxelCoordinatesWhereRecordsHaveThem)
 {
-    TetraSet set = jitteredLattice(5, -6.0, kSize + 6.0, 0.12, 7);
-    std::vector<float> records;
-    for (std::size_t i = 0; i < set.records.size(); i += 3) {
-        const float* p = &set.records[i];
-        records.insert(records.end(), {9.0f, p[0], p[1], p[2]});
-        for (const float value : {p[2], p[0], p[1]})
-            records.push_back(value / float(kSize));
-    }
-    set.records = records;
-    set.values = 7;
-    set.voxelColumn = 1;
+    const TetraSet set = jitteredLattice(5, -6.0, kSize + 6.0, 0.12, 7).withVoxels(turnedIntoUnitCube, {9});
     vo::SamplingRequest request = everyVoxel();
     request.period = glm::dvec3(1 / kSize);
     vo::StackSlicer slicer;
@@ -278,10 +249,6 @@ TEST(StackSlicer, nothingToCutGivesNothing)
     const vo::Camera view = camera(kSize, glm::dmat4(1), true);
     TetraSet spoilt = cube(kSize);
     spoilt.records[4] = std::numeric_limits<float>::quiet_NaN();
-    TetraSet flat;
-    for (int i = 0; i < 4; ++i)
-        flat.add({i, i * i, 5});
-    flat.indices = {0, 1, 2, 3};
-    for (const TetraSet& set : {TetraSet{}, flat, spoilt})
+    for (const TetraSet& set : {TetraSet{}, flatTetra(), spoilt})
         expectPolygonsOfPolygonize(set, bricks(2, kSize), view, everyVoxel(), slicer);
 }

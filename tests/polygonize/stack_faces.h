@@ -9,11 +9,10 @@
 /// The polygons of a stack as faces, for the checks that faces have.
 namespace stack_faces {
 
-/// The plane on which a face lies, as near as single precision has it.
-inline int planeOf(const scenes::Face& face, const vo::PlaneFamily& planes)
+/// The plane on which a point lies, as near as single precision has it.
+inline int planeOf(const glm::dvec3& point, const vo::PlaneFamily& planes)
 {
-    return static_cast<int>(
-        std::lround((planes.first - glm::dot(planes.normal, face.point(0))) / planes.spacing));
+    return static_cast<int>(std::lround((planes.first - glm::dot(planes.normal, point)) / planes.spacing));
 }
 
 /// Triangles that end with the same vertex, one after the other, are one polygon.
@@ -30,7 +29,7 @@ inline scenes::Faces faces(const vo::PolygonStack& stack, int values, const vo::
             const float* records = stack.records.data() + first * static_cast<std::size_t>(values);
             result.all.push_back(
                 {run.brick, 0, {records, records + count * static_cast<std::size_t>(values)}, values});
-            result.all.back().sample = planeOf(result.all.back(), planes);
+            result.all.back().sample = planeOf(result.all.back().point(0), planes);
             i = end;
         }
     return result;
