@@ -82,6 +82,7 @@ void dropDeadRecords(Registry& all, const PlatformContext& platform)
 void doDeferredWork(Registry& all, ContextRecord& record)
 {
     for (const std::uint64_t id : record.doomedTextures) {
+        record.cellRanges.forget(id);
         record.rayCaster.forget(id);
         record.polygonFiller.forget(id);
         const auto found = record.textures.find(id);

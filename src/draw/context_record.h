@@ -1,5 +1,6 @@
 #pragma once
 
+#include "appearance/cell_range_store.h"
 #include "cast/cast_picture.h"
 #include "cast/fill_polygons.h"
 #include "cast/ray_cast.h"
@@ -149,6 +150,7 @@ public:
     PictureTexture pictureAlpha;
     GLuint pictureVertexArray = 0; ///< without attributes
 
+    CellRangeStore cellRanges; ///< of bricks, by texture id
     RayCaster rayCaster;
     PolygonFiller polygonFiller;
     CastPicture picture;                        ///< of the last frame that was cast

@@ -124,7 +124,7 @@ struct FrameTriangles
     Camera camera;            ///< for which they were made
 };
 
-FrameTriangles frameTriangles(const ContextRecord& context, const FrameRequest& request, const Camera& camera,
+FrameTriangles frameTriangles(ContextRecord& context, const FrameRequest& request, const Camera& camera,
                               FrameCache& cache)
 {
     FrameTriangles triangles;

@@ -1,5 +1,6 @@
 #include "frame/space_leaping.h"
 
+#include "core/log.h"
 #include "core/serial.h"
 #include "frame/frame.h"
 #include "geometry/convex_set.h"
@@ -82,6 +83,19 @@ std::optional<VoxelOrigin> wholeOrigin(const FrameBrick& brick)
                        static_cast<int>(brick.origin.z)};
 }
 
+/// The ranges of a brick, found only where the store has them not; nullptr without voxels.
+std::shared_ptr<const CellRanges> keptRanges(CellRangeStore& store, const CellRangeKey& key,
+                                             const TextureImage& image)
+{
+    std::shared_ptr<const CellRanges> ranges = store.find(key);
+    if (ranges || image.voxels.empty()) return ranges;
+    debug(2, "ranges of a brick's voxels found");
+    ranges = std::make_shared<const CellRanges>(
+        cellRanges(image.voxels, image.format, image.size, key.origin, key.component));
+    store.keep(key, ranges);
+    return ranges;
+}
+
 bool samePlanes(const PlaneFamily& a, const PlaneFamily& b)
 {
     return a.normal == b.normal && a.first == b.first && a.spacing == b.spacing && a.count == b.count;
@@ -89,7 +103,7 @@ bool samePlanes(const PlaneFamily& a, const PlaneFamily& b)
 
 } // namespace
 
-const OccupiedSlices* SpaceLeaping::slices(const ContextRecord& context, const FrameRequest& request,
+const OccupiedSlices* SpaceLeaping::slices(ContextRecord& context, const FrameRequest& request,
                                            const Camera& camera)
 {
     kept_ = false;
@@ -139,7 +153,7 @@ bool SpaceLeaping::findDomain(const TetraView& tetras)
 }
 
 /// The ranges of all bricks; false when one has no voxels to look at.
-bool SpaceLeaping::findRanges(const FrameRequest& request, VoxelComponent component)
+bool SpaceLeaping::findRanges(CellRangeStore& store, const FrameRequest& request, VoxelComponent component)
 {
     rangesChanged_ = rangesChanged_ || bricks_.size() != request.bricks.size();
     bricks_.resize(request.bricks.size());
@@ -147,25 +161,23 @@ bool SpaceLeaping::findRanges(const FrameRequest& request, VoxelComponent compon
         const FrameBrick& brick = request.bricks[i];
         const std::optional<VoxelOrigin> origin = wholeOrigin(brick);
         if (brick.image.twoDimensional || !origin) return false;
+        const CellRangeKey key{brick.image.id, brick.image.version, component, *origin};
         KnownBrick& known = bricks_[i];
-        if (known.id == brick.image.id && known.version == brick.image.version &&
-            known.component == component && known.origin == *origin)
-            continue;
-        if (brick.image.voxels.empty()) return false;
-        known = {brick.image.id, brick.image.version, component, *origin,
-                 cellRanges(brick.image.voxels, brick.image.format, brick.image.size, *origin, component)};
+        if (known.ranges && known.key == key) continue;
+        known = {key, keptRanges(store, key, brick.image)};
+        if (!known.ranges) return false;
         rangesChanged_ = true;
     }
     return true;
 }
 
-bool SpaceLeaping::findOccupied(const ContextRecord& context, const FrameRequest& request)
+bool SpaceLeaping::findOccupied(ContextRecord& context, const FrameRequest& request)
 {
     const TexelFormat texel = request.bricks[0].image.texel;
     const auto sameTexel = [&](const FrameBrick& brick) { return brick.image.texel == texel; };
     if (!std::ranges::all_of(request.bricks, sameTexel)) return false;
     const std::optional<OpacityRule> rule = opacityRule(context, texel);
-    if (!rule || !findRanges(request, rule->component)) return false;
+    if (!rule || !findRanges(context.cellRanges, request, rule->component)) return false;
     const auto serial = [&](TableKind kind) {
         const TableSlot* slot = activeTable(context, kind);
         return slot ? slot->serial : 0;
@@ -186,14 +198,14 @@ void SpaceLeaping::markOccupied(const VisibleValues& visible)
     cells_.side = kCellSide;
     cells_.count = {};
     for (const KnownBrick& brick : bricks_) {
-        const CellRanges& r = brick.ranges;
+        const CellRanges& r = *brick.ranges;
         cells_.count = {std::max(cells_.count.x, r.first.x + r.count.x),
                         std::max(cells_.count.y, r.first.y + r.count.y),
                         std::max(cells_.count.z, r.first.z + r.count.z)};
     }
     cells_.occupied.assign(cells_.count.count(), 0);
     for (const KnownBrick& brick : bricks_) {
-        const CellRanges& r = brick.ranges;
+        const CellRanges& r = *brick.ranges;
         std::size_t number = 0;
         for (int z = 0; z < r.count.z; ++z)
             for (int y = 0; y < r.count.y; ++y) {

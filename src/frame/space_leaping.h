@@ -1,6 +1,6 @@
 #pragma once
 
-#include "appearance/cell_ranges.h"
+#include "appearance/cell_range_store.h"
 #include "core/box.h"
 #include "draw/context_record.h"
 #include "lookup/visible_values.h"
@@ -8,6 +8,7 @@
 #include "polygonize/slice_occupied.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,15 +18,15 @@ namespace vo {
 struct FrameRequest;
 
 /// Leaves out of a frame what cannot be seen: cells of the volume in which every sample has an opacity of
-/// exactly 0 under the active table. Keeps the ranges of voxels, and the slices, while nothing changes.
+/// exactly 0 under the active table. Keeps the slices while nothing changes; the ranges of voxels are in the
+/// context's store.
 class SpaceLeaping
 {
 public:
     /// The slices of a frame, far to near in each brick; nullptr when they cannot be told (the volume is not
     /// in its place, or not a box; the texture has opacity everywhere) or are nearly all of them. Only for
     /// states in which a fragment without opacity changes nothing.
-    const OccupiedSlices* slices(const ContextRecord& context, const FrameRequest& request,
-                                 const Camera& camera);
+    const OccupiedSlices* slices(ContextRecord& context, const FrameRequest& request, const Camera& camera);
 
     void invalidate() { sliced_ = false; }
     /// Whether the last slices are those of the frame before.
@@ -37,17 +38,14 @@ public:
 private:
     struct KnownBrick
     {
-        std::uint64_t id = 0;
-        std::uint64_t version = 0;
-        VoxelComponent component = VoxelComponent::alpha;
-        VoxelOrigin origin;
-        CellRanges ranges;
+        CellRangeKey key;
+        std::shared_ptr<const CellRanges> ranges;
     };
 
     bool costsLess(const ContextRecord& context) const;
     bool findDomain(const TetraView& tetras);
-    bool findRanges(const FrameRequest& request, VoxelComponent component);
-    bool findOccupied(const ContextRecord& context, const FrameRequest& request);
+    bool findRanges(CellRangeStore& store, const FrameRequest& request, VoxelComponent component);
+    bool findOccupied(ContextRecord& context, const FrameRequest& request);
     void markOccupied(const VisibleValues& visible);
 
     std::vector<float> keyRecords_;

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 namespace {
 
@@ -236,6 +238,44 @@ TEST_F(SpaceLeapingGL, keptSlicesAreThereAfterOtherDraws)
     EXPECT_EQ(frame().picture, first.picture) << "after another volume";
     voGeometryActions::draw(drawing->volume().getCurrentBrickSet());
     EXPECT_EQ(frame().picture, first.picture) << "after outlines";
+}
+
+TEST_F(SpaceLeapingGL, volumesThatAlternateKeepTheirRanges)
+{
+    options.bricks = 2;
+    open();
+    const Field otherField = sparseField();
+    Scene otherScene = scene;
+    otherScene.volume = &otherField;
+    otherScene.table = tableFrom(100);
+    auto other = std::make_unique<SceneDrawing>(*context, otherScene, options);
+    const auto rangesFound = [&](SceneDrawing& volume) {
+        std::ostringstream messages;
+        voError::setDebugLevel(2);
+        voError::setDebugStream(messages);
+        volume.draw(scene.view);
+        voError::setDebugLevel(0);
+        voError::setDebugStream(stderr);
+        std::istringstream lines(messages.str());
+        int count = 0;
+        for (std::string line; std::getline(lines, line);)
+            count += line.find("ranges of a brick's voxels found") != std::string::npos;
+        return count;
+    };
+    EXPECT_EQ(rangesFound(*drawing), 8);
+    EXPECT_EQ(rangesFound(*other), 8);
+    for (int frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(rangesFound(*drawing), 0);
+        EXPECT_EQ(rangesFound(*other), 0);
+    }
+    voAppearanceActions::dataScaleRange(other->volume().getCurrentBrickSet()->getBrick(3), 0.0f, 255.0f);
+    EXPECT_EQ(rangesFound(*drawing), 0);
+    EXPECT_EQ(rangesFound(*other), 1) << "new voxels";
+    EXPECT_EQ(rangesFound(*drawing), 0);
+    voAppearanceActions::volumeUnoptimize(&other->volume());
+    EXPECT_EQ(rangesFound(*drawing), 0) << "its own were not forgotten";
+    EXPECT_EQ(rangesFound(*other), 8) << "forgotten with the textures";
+    expectLeaped();
 }
 
 TEST_F(SpaceLeapingGL, doesNotHappenToVolumesOutOfPlace)
