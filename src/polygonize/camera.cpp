@@ -14,6 +14,9 @@ namespace {
 constexpr double kSameDepth = 1e-9;
 /// Below this, after rows and columns were scaled to unit size, a determinant counts as zero.
 constexpr double kSingular = 1e-13;
+/// Below this, beside the others, a component of a turned normal counts as rounded: quarter turns in single
+/// precision leave some 1e-7.
+constexpr double kRounded = 1e-6;
 
 bool allFinite(const glm::dmat4& m)
 {
@@ -62,9 +65,22 @@ double depthOnPlane(const Camera& camera, const glm::dmat4& inverse, double z)
     return glm::dot(camera.depthNormal, xyz(p) / p.w);
 }
 
+/// The unit normal of a plane that is given in object space, without what rounding left of components that
+/// were none before the model was scaled.
+glm::dvec3 cleanNormal(const glm::dvec4& plane, const glm::dmat4& model)
+{
+    glm::dvec3 normal = xyz(plane), turned;
+    for (int axis = 0; axis < 3; ++axis)
+        turned[axis] = std::abs(normal[axis]) / glm::length(xyz(model[axis]));
+    const double least = kRounded * std::max({turned.x, turned.y, turned.z});
+    for (int axis = 0; axis < 3; ++axis)
+        if (turned[axis] < least) normal[axis] = 0.0;
+    return normal / glm::length(normal);
+}
+
 /// Every line of sight goes to the same clip x, y and w; the third column of the inverse is where they all
 /// meet, a point or a direction.
-void placeViewer(Camera& camera, const glm::dmat4& toClip, const glm::dmat4& inverse)
+void placeViewer(Camera& camera, const glm::dmat4& model, const glm::dmat4& toClip, const glm::dmat4& inverse)
 {
     const glm::dmat4 rows = glm::transpose(toClip);
     const double side = inverse[3].w > 0.0 ? 1.0 : -1.0; // sign of clip w in the middle of the view volume
@@ -72,10 +88,10 @@ void placeViewer(Camera& camera, const glm::dmat4& toClip, const glm::dmat4& inv
     if (camera.perspective) {
         camera.eye = xyz(meeting) / meeting.w;
         camera.direction = glm::normalize(unproject(inverse, 0.0, 0.0, 0.0) - camera.eye);
-        camera.depthNormal = side * glm::normalize(xyz(rows[3]));
+        camera.depthNormal = side * cleanNormal(rows[3], model);
     } else {
         camera.direction = side * glm::normalize(xyz(meeting));
-        camera.depthNormal = side * glm::normalize(xyz(rows[2]));
+        camera.depthNormal = side * cleanNormal(rows[2], model);
     }
 }
 
@@ -98,7 +114,7 @@ std::optional<Camera> findCamera(const glm::dmat4& model, const glm::dmat4& proj
 
     Camera camera;
     camera.perspective = std::abs(inverse[2].w) > kSameDepth * std::abs(inverse[3].w);
-    placeViewer(camera, toClip, inverse);
+    placeViewer(camera, model, toClip, inverse);
     camera.nearDepth = depthOnPlane(camera, inverse, -1.0);
     camera.farDepth = depthOnPlane(camera, inverse, 1.0);
     for (int corner = 0; corner < 8; ++corner)

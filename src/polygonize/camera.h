@@ -15,10 +15,11 @@ struct Camera
     bool perspective = false;
     glm::dvec3 eye{0.0};            ///< perspective only
     glm::dvec3 direction{0, 0, -1}; ///< unit vector from the viewer along the middle of the view
-    glm::dvec3 depthNormal{0, 0,
-                           -1}; ///< unit normal of planes parallel to the viewport, away from the viewer
-    double nearDepth = 0.0;     ///< dot(depthNormal, p) on the near plane of the view volume, in its middle
-    double farDepth = 0.0;      ///< and on the far plane; infinite for a view volume without end
+    /// Unit normal of planes parallel to the viewport, away from the viewer; exactly along an axis where
+    /// rounding to single precision would explain the rest.
+    glm::dvec3 depthNormal{0, 0, -1};
+    double nearDepth = 0.0; ///< dot(depthNormal, p) on the near plane of the view volume, in its middle
+    double farDepth = 0.0;  ///< and on the far plane; infinite for a view volume without end
     /// Corners of the view volume: bit 0 of the index is right, bit 1 is top, bit 2 is far.
     std::array<glm::dvec3, 8> corners{};
 

@@ -11,7 +11,8 @@ namespace vo {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// A plane more or less for a rounding error: counts forgive this fraction of a step.
+/// A plane more or less for a rounding error: counts forgive this fraction of a step, and of an extent, since
+/// periods are given in single precision.
 constexpr double kForgiven = 1e-6;
 /// A set seen farther aside than this (cosine of 80 degrees, relative to the middle of the view) does not set
 /// the direction along which planes are counted.
@@ -77,7 +78,8 @@ glm::dvec3 countingDirection(const TetraView& tetras, const Camera& camera)
 /// Number of steps in an extent, as a double: it may exceed any integer.
 double stepsIn(double extent, double step)
 {
-    return std::ceil(extent / step - kForgiven);
+    const double steps = extent / step;
+    return std::ceil(std::min(steps - kForgiven, steps * (1.0 - kForgiven)));
 }
 
 int clampedCount(double wanted, int maxSamples)

@@ -261,7 +261,7 @@ private:
         double low = 0.0, high = 0.0;
         for (int axis = 0; axis < 3; ++axis)
             (n[axis] < 0 ? low : high) += n[axis] * size_;
-        const int count = std::max(1, static_cast<int>(std::ceil(high - low - 1e-6)));
+        const int count = std::max(1, static_cast<int>(std::ceil((high - low) * (1 - 1e-6))));
         const double spacing = (high - low) / count;
         triangles_.clear();
         for (int k = 0; k < count; ++k)

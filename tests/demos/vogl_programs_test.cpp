@@ -77,7 +77,7 @@ TEST_F(VoglPrograms, vorenderDrawsThePicturesOfVoglBasic)
           "-space view -view 12 34", "-bricks 2 3 1 -overlap 2 -view 12 34",
           "-overlap 0 -view 60 34 -lutFile steep.lut"}) {
         const std::string words = "-size 120 90 blob.tif " + options;
-        const Picture drawn = draw("-core " + words), rendered = draw(words, "vorender");
+        const Picture drawn = draw(words), rendered = draw(words, "vorender");
         ASSERT_EQ(rendered.width, 120);
         EXPECT_GT(brightest(rendered), 40) << options;
         EXPECT_LE(vo::difference(drawn, rendered).pixelsBeyondOne, 120 * 90 / 500) << options;
@@ -89,7 +89,7 @@ TEST_F(VoglPrograms, vorenderDrawsVolumesOfEveryKind)
     vo::writeShorts(folder / "shorts.tif", 20, 18, 16,
                     [](int x, int y, int z) { return 40 * x + 30 * y * (z % 3) - 300; });
     const auto draws = [&](const std::string& words) {
-        const Picture drawn = draw("-core -size 80 80 " + words),
+        const Picture drawn = draw("-size 80 80 " + words),
                       rendered = draw("-size 80 80 " + words, "vorender");
         EXPECT_GT(brightest(rendered), 10) << words;
         EXPECT_LE(vo::difference(drawn, rendered).pixelsBeyondOne, 80 * 80 / 500) << words;

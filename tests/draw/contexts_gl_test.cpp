@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <cstring>
 
@@ -111,6 +112,55 @@ TEST(Contexts, withoutOneTexturesAnswerUnsupported)
     EXPECT_NE(voAppearanceActions::textureBind(&texture), 0);
     EXPECT_EQ(voError::getErrorNumber(), voErrorTypeScope::UNSUPPORTED);
     EXPECT_NE(std::strstr(voError::getErrorString(), "no OpenGL context"), nullptr);
+}
+
+/// The guide's turns by OpenGL itself, which keeps them in single precision.
+Matrix turnedByOpenGl(const GladGLContext& gl, const Angles& angles, const Field& field)
+{
+    const auto [x, y, z] =
+        std::array<double, 3>{double(field.size.x), double(field.size.y), double(field.size.z)};
+    Matrix model;
+    gl.MatrixMode(GL_MODELVIEW);
+    gl.LoadIdentity();
+    gl.Rotated(-angles.latitude - 90, 1, 0, 0);
+    gl.Rotated(-angles.longitude, 0, 0, 1);
+    gl.Translated(-x / 2, -y / 2, -z / 2);
+    gl.GetDoublev(GL_MODELVIEW_MATRIX, model.data());
+    return model;
+}
+
+TEST(Contexts, headOnViewsAddUpOneSampleAVoxelInBothProfiles)
+{
+    const Field field = constantField({40, 24, 64}, 1.0);
+    Scene scene = sceneOf(field);
+    scene.compositing = Compositing::sum;
+    scene.color = {0.01, 0.01, 0.01, 0.01};
+    for (const auto engine : {voEngineScope::SLICES, voEngineScope::CAST})
+        for (const OffscreenProfile profile : {OffscreenProfile::Compatibility, OffscreenProfile::Core}) {
+            auto context = openFor(scene, profile);
+            DrawOptions options = utility(2);
+            options.engine = engine;
+            SceneDrawing drawing(*context, scene, options);
+            for (const auto& [angles, voxels] : {std::pair(Angles{0, 0}, 24),
+                                                 {Angles{0, 90}, 40},
+                                                 {Angles{0, 180}, 24},
+                                                 {Angles{0, 270}, 40},
+                                                 {Angles{90, 0}, 64},
+                                                 {Angles{-90, 90}, 64},
+                                                 {Angles{180, 90}, 40}}) {
+                View view = orthographicView(angles, field.size, 48, 48);
+                if (profile == OffscreenProfile::Compatibility)
+                    view.model = turnedByOpenGl(context->gl(), angles, field);
+                drawing.draw(view);
+                const std::vector<float> picture = context->readFloats();
+                EXPECT_GT(picture[4 * (24 * 48 + 24)], 0.0f);
+                for (std::size_t i = 0; i < picture.size(); i += 4) {
+                    if (picture[i] == 0.0f) continue;
+                    ASSERT_NEAR(double(picture[i]), 0.01 * voxels, 1e-5)
+                        << angles.latitude << " " << angles.longitude;
+                }
+            }
+        }
 }
 
 // ---- Tables

@@ -126,6 +126,33 @@ TEST(Camera, obliqueNearPlaneDoesNotTurnTheDepth)
     expectNear(camera->depthNormal, glm::normalize(kTarget - kEye), 1e-12);
 }
 
+TEST(Camera, quarterTurnsInSinglePrecisionLeaveTheDepthAlongAnAxis)
+{
+    const glm::mat4 away(translate({0, 0, -300})), scaled(scale({0.4, 0.4, 5}));
+    for (const double x : {0, 90, 180, -90})
+        for (const double z : {0, 90, 180, 270, -90})
+            for (const glm::dmat4& projection : {perspective(45, 1, 1, 900), ortho(-9, 9, -9, 9, 1, 900)}) {
+                const glm::mat4 turn = rotateInFloats(x, {1, 0, 0}) * rotateInFloats(z, {0, 0, 1});
+                const glm::dvec3 exact =
+                    glm::inverse(glm::dmat3(rotate(x, {1, 0, 0}) * rotate(z, {0, 0, 1}))) *
+                    glm::dvec3(0, 0, -1);
+                for (const glm::mat4& model : {away * turn, away * turn * scaled}) {
+                    const auto camera = vo::findCamera(glm::dmat4(model), projection);
+                    ASSERT_TRUE(camera);
+                    EXPECT_EQ(camera->depthNormal, glm::round(exact)) << x << " " << z;
+                }
+            }
+}
+
+TEST(Camera, turnsOfAFewMillionthsCount)
+{
+    const double tilt = 3e-6;
+    const auto camera =
+        vo::findCamera(rotate(tilt * 180 / std::numbers::pi, {0, 1, 0}), ortho(-9, 9, -9, 9, 1, 9));
+    ASSERT_TRUE(camera);
+    EXPECT_NEAR(std::abs(camera->depthNormal.x), tilt, 1e-9);
+}
+
 TEST(Camera, cornersAreThoseOfTheViewVolume)
 {
     const auto camera = vo::findCamera(glm::dmat4(1), frustum(-1, 3, -2, 5, 2, 20));

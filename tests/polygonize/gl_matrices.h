@@ -57,6 +57,17 @@ inline glm::dmat4 rotate(double degrees, const glm::dvec3& about)
                 {u.z * v.x - u.y * s, u.z * v.y + u.x * s, u.z * v.z + c, 0}, {0, 0, 0, 1});
 }
 
+/// A turn as a compatibility context makes it, where even 90 degrees have a cosine of -4e-8.
+inline glm::mat4 rotateInFloats(double degrees, const glm::dvec3& axis)
+{
+    const auto angle = static_cast<float>(degrees * std::numbers::pi / 180);
+    const float c = std::cos(angle), s = std::sin(angle);
+    const glm::vec3 u(axis), v = (1 - c) * u;
+    return rows({u.x * v.x + c, u.x * v.y - u.z * s, u.x * v.z + u.y * s, 0},
+                {u.y * v.x + u.z * s, u.y * v.y + c, u.y * v.z - u.x * s, 0},
+                {u.z * v.x - u.y * s, u.z * v.y + u.x * s, u.z * v.z + c, 0}, {0, 0, 0, 1});
+}
+
 inline glm::dmat4 lookAt(const glm::dvec3& eye, const glm::dvec3& centre, const glm::dvec3& up)
 {
     const glm::dvec3 f = glm::normalize(centre - eye);

@@ -54,6 +54,51 @@ TEST(SamplingPlanes, unitPeriodGivesRootThreeTimesAsManyOnTheDiagonal)
     EXPECT_DOUBLE_EQ(planes.first, kSize * std::sqrt(3.0) - 0.5 * planes.spacing);
 }
 
+TEST(SamplingPlanes, headOnViewsInSinglePrecisionHaveOnePlaneAVoxel)
+{
+    using namespace gl_matrices;
+    for (const glm::dvec3& size :
+         {glm::dvec3(64), glm::dvec3(512, 512, 9), glm::dvec3(12, 2000, 7), glm::dvec3(2000)})
+        for (const double x : {0, 90, 180, -90})
+            for (const double z : {0, 90, 180, 270, -90}) {
+                const double reach = glm::length(size);
+                const glm::mat4 turn = rotateInFloats(x, {1, 0, 0}) * rotateInFloats(z, {0, 0, 1});
+                const glm::mat4 model =
+                    glm::mat4(translate({0, 0, -2 * reach})) * turn * glm::mat4(translate(-0.5 * size));
+                for (const glm::mat4 projection :
+                     {glm::mat4(ortho(-reach, reach, -reach, reach, reach, 3 * reach)),
+                      glm::mat4(perspective(50, 1, reach, 3 * reach))}) {
+                    const vo::Camera view = vo::findCamera(glm::dmat4(model), glm::dmat4(projection)).value();
+                    const auto planes =
+                        vo::samplingPlanes(cube(glm::dvec3(0), size).view(), view, everyVoxel());
+                    const int axis = vo::closestAxis(view);
+                    EXPECT_EQ(planes.count, size[axis]) << x << " " << z;
+                    const double side = view.direction[axis];
+                    EXPECT_NEAR(planes.spacing, 1.0, 1e-6);
+                    EXPECT_NEAR(planes.first, (side > 0 ? size[axis] : 0.0) - 0.5, 1e-6 * size[axis]);
+                }
+            }
+}
+
+TEST(SamplingPlanes, periodsThatNoFloatIsDivideTheirLength)
+{
+    for (int n = 1; n <= 4000; ++n) {
+        vo::SamplingRequest request = everyVoxel();
+        request.period = glm::dvec3(double(1.0f / float(n)));
+        ASSERT_EQ(vo::samplingPlanes(cube(1).view(), orthographic({0, 0, 1}), request).count, n);
+        request.mode = SamplingMode::axisAligned;
+        ASSERT_EQ(vo::samplingPlanes(cube(1).view(), orthographic({0, 0, 1}), request).count, n);
+    }
+}
+
+TEST(SamplingPlanes, aHundredthOfAStepMoreGetsAPlaneMore)
+{
+    for (const int n : {1, 8, 500, 2000}) {
+        const TetraSet set = cube(glm::dvec3(0), glm::dvec3(4000, 4000, n + 0.01));
+        EXPECT_EQ(vo::samplingPlanes(set.view(), orthographic({0, 0, 1}), everyVoxel()).count, n + 1);
+    }
+}
+
 TEST(SamplingPlanes, exactMultiplesOfTheStepGetNoPlaneMore)
 {
     // 64 sqrt(3) long in steps of sqrt(3): rounding must not make it 65.

@@ -112,8 +112,20 @@ public:
         return glm::dvec3(meeting) / meeting.w;
     }
 
-    /// Normal of the planes of constant eye z, away from the viewer.
-    glm::dvec3 depthNormal() const { return -glm::dvec3(model_[0][2], model_[1][2], model_[2][2]); }
+    /// Normal of the planes of constant eye z, away from the viewer. What single precision leaves of a
+    /// quarter turn is no tilt.
+    glm::dvec3 depthNormal() const
+    {
+        std::array<double, 3> turned;
+        for (int axis = 0; axis < 3; ++axis)
+            turned[static_cast<std::size_t>(axis)] =
+                std::abs(model_[axis][2]) / glm::length(glm::dvec3(model_[axis]));
+        const double largest = *std::ranges::max_element(turned);
+        glm::dvec3 normal(0.0);
+        for (int axis = 0; axis < 3; ++axis)
+            if (turned[static_cast<std::size_t>(axis)] >= 1e-6 * largest) normal[axis] = -model_[axis][2];
+        return normal;
+    }
 
 private:
     Ray deviceRay(double x, double y) const
@@ -189,7 +201,10 @@ std::vector<double> spreadOffsets(const Extent& extent, double step, int maxSamp
 {
     const double length = extent.far - extent.near;
     double count = maxSamples;
-    if (step > 0.0) count = std::clamp(std::ceil(length / step - 1e-6), 1.0, static_cast<double>(maxSamples));
+    if (step > 0.0) {
+        const double steps = length / step, forgiven = 1e-6 * std::max(1.0, steps);
+        count = std::clamp(std::ceil(steps - forgiven), 1.0, static_cast<double>(maxSamples));
+    }
     const double spacing = length / count;
     std::vector<double> offsets;
     for (int k = 0; k < count; ++k)

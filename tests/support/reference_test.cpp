@@ -63,6 +63,18 @@ TEST(ReferencePlanes, headOnLieAtVoxelCentresFarthestFirst)
         EXPECT_NEAR(planes.offsets[k], -(static_cast<double>(k) + 0.5), 1e-9);
 }
 
+TEST(ReferencePlanes, headOnInSinglePrecisionLieThereToo)
+{
+    const Field volume = constantField({512, 512, 16}, 0.5);
+    Scene scene = headOn(volume, 1);
+    for (const std::size_t entry : {2u, 6u}) // what x and y add to eye z
+        scene.view.model[entry] += 1e-7;
+    const ReferencePlanes planes = referencePlanes(scene);
+    ASSERT_EQ(planes.offsets.size(), 16u);
+    for (std::size_t k = 0; k < 16; ++k)
+        EXPECT_NEAR(planes.offsets[k], -(static_cast<double>(k) + 0.5), 1e-9);
+}
+
 TEST(ReferencePlanes, diagonalViewTakesRootThreeTimesAsMany)
 {
     const Field volume = constantField({16, 16, 16}, 0.5);
