@@ -25,6 +25,10 @@ public:
     /** Calls the installed handler, if any. */
     static void callErrorHandler();
 
+    /** All at once, for extensions: sets the code and the text "action: text", prints it at debug level 1, and calls the
+        handler. */
+    static void report(const char *action, voErrorType number, const char *text);
+
     /** Messages of a level up to this one are printed; 0, the initial value, prints none. The environment variable
         VO_DEBUG sets the initial value. */
     static void setDebugLevel(int level);

@@ -15,6 +15,7 @@
 
 #include <vo/FloatTarget.h>
 #include <vo/State.h>
+#include <vo/utGeometry.h>
 #include <vo/utPerfMeter.h>
 
 #endif

@@ -91,11 +91,11 @@ void voError::setDebugStream(std::ostream& stream)
     vo::setDebugStream(&stream);
 }
 
-void vo::report(const char* action, voErrorType number, const std::string& text)
+void voError::report(const char* action, voErrorType number, const char* text)
 {
-    const std::string line = std::string(action) + ": " + text;
-    debug(1, line);
-    voError::setErrorNumber(number);
-    voError::setErrorString(line.c_str());
-    voError::callErrorHandler();
+    const std::string line = std::string(action ? action : "") + ": " + (text ? text : "");
+    vo::debug(1, line);
+    setErrorNumber(number);
+    setErrorString(line.c_str());
+    callErrorHandler();
 }

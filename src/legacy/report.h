@@ -37,8 +37,11 @@ T& required(T* argument, const char* name)
     return *argument;
 }
 
-/// Sets number and text ("action: text") and calls the handler.
-void report(const char* action, voErrorType number, const std::string& text);
+/// voError::report, for texts made here.
+inline void report(const char* action, voErrorType number, const std::string& text)
+{
+    voError::report(action, number, text.c_str());
+}
 
 /// Runs the body of an action; what it throws becomes a voError and the answer 1. Returns 0 otherwise.
 template <typename Body>

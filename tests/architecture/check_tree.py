@@ -120,6 +120,14 @@ def face_home(tree):
                 yield f"{path}:{line}: #include <{name}>: only src/{FACE_HOME} includes the legacy face"
 
 
+def vout_home(tree):
+    """vout stands on the face, and on one header of src: how a caller's mistake is reported."""
+    for path in tree.code("vout/"):
+        for line, name, quoted in includes(tree.text(path)):
+            if quoted and not name.startswith("vout/") and name != "legacy/report.h":
+                yield f'{path}:{line}: #include "{name}": vout includes vout, <vo/...> and "legacy/report.h"'
+
+
 def dependency_homes(tree):
     """Each dependency is called and included in its homes only."""
     for path in tree.code("src/", "include/", "util/", "demos/", "vout/", "tests/"):
@@ -146,10 +154,10 @@ def file_sizes(tree):
 
 
 def telling_names(tree):
-    """Files and folders of src are named by what they do."""
+    """Files and folders of src and vout are named by what they do."""
     seen = set()
     for path in tree.files:
-        if not path.startswith("src/"):
+        if not path.startswith(("src/", "vout/")):
             continue
         for part in path.split("/")[1:]:
             stem = part.split(".")[0]
@@ -198,7 +206,7 @@ def man_pages(tree):
 CHECKS = {
     check.__name__: check
     for check in (
-        include_order, face_home, dependency_homes, file_sizes, telling_names, readme_program, links, man_pages)
+        include_order, face_home, vout_home, dependency_homes, file_sizes, telling_names, readme_program, links, man_pages)
 }
 
 

@@ -16,8 +16,8 @@ CHECKLIST = """# a comment
 B1 | voBool | an int | some_test:Some.case,
   some_test:Some.helped
 B2 | VO_TRUE | 1 | some_test:Some.given
-[U] Utilities; U3-U3; -
-U3 | voutGeometry | a base | later
+[D] Programs; D10-D10; -
+D10 | nodes | a graph | later
 """
 
 SOURCE = """
@@ -115,7 +115,7 @@ class ContractTest(unittest.TestCase):
         groups = contract.parse(CHECKLIST)
         found = list(contract.rows_equal_the_specification(groups, "| B1 | x |\n| B2 | x |\n| B4 | x |\n"))
         self.assertEqual(found, ["row B4 of the specification is not in the checklist",
-                                 "row U3 is not in the specification"])
+                                 "row D10 is not in the specification"])
 
     def test_tableThatIsOutOfDate(self):
         groups = contract.parse(CHECKLIST)

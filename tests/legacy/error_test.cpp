@@ -226,6 +226,21 @@ TEST_F(ErrorTest, higherDebugLevelsPrintErrorsToTheStream)
     EXPECT_NE(out.str().find("boundFaceCount: tetraCount is -1"), std::string::npos) << out.str();
 }
 
+TEST_F(ErrorTest, extensionsReportAsTheLibraryDoes)
+{
+    std::ostringstream out;
+    voError::setDebugStream(out);
+    voError::setDebugLevel(1);
+    static int reports = 0;
+    voError::setErrorHandler([] { ++reports; });
+    voError::report("myAction", voErrorTypeScope::UNSUPPORTED, "not on this machine");
+    voError::setErrorHandler(nullptr);
+    EXPECT_EQ(reports, 1);
+    EXPECT_EQ(voError::getErrorNumber(), voErrorTypeScope::UNSUPPORTED);
+    EXPECT_STREQ(voError::getErrorString(), "myAction: not on this machine");
+    EXPECT_NE(out.str().find("myAction: not on this machine"), std::string::npos) << out.str();
+}
+
 TEST_F(ErrorTest, debugStreamMayBeAFile)
 {
     std::FILE* file = std::tmpfile();

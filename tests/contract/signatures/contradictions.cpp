@@ -119,6 +119,11 @@ void contradictions()
     names();
     overloads();
     volumes();
+    ROW(C27);
+    is<voIndexedTetraSet* (voutGeometry::*)()>(&voutGeometry::tessellate);
+    is<voIndexedTetraSet* (voutGeometry::*)()>(&voutGeometry::tesselate);
+    ROW(C28);
+    voutIndexedTetraFaceStrip strip(4, 3, 4);
     ROW(C34);
     is<int (*)(voIndexedTetraSet*, voInterleavedArrayType, voBrickSetCollection*, voDrawActionCache*,
                voSamplingSpace, float[3], voDecorationFlags)>(&voGeometryActions::drawUtility);

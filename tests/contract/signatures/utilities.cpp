@@ -1,5 +1,6 @@
-// U: timers (page 98).
+// U: timers (page 98) and higher primitives (pages 97-98 and 113-114).
 
+#include <vo/utGeometry.h>
 #include <vo/utPerfMeter.h>
 
 #include <sstream>
@@ -7,6 +8,54 @@
 #include "rows.h"
 
 namespace DIALECT {
+
+/// The constructors of a set, which are those of voIndexedTetraSet, and what it makes of no cells.
+template <class Set>
+static void indexedSet()
+{
+    static float vertices[8 * 3];
+    static int numbers[8];
+    const static float constantVertices[8 * 3] = {0};
+    const static int constantNumbers[8] = {0};
+    Set* aSet = new Set(vertices, 8, 3, numbers, 0);
+    voutIndexedSet* set = aSet;
+    voutGeometry* geometry = set;
+    voIndexedTetraSet* tetras = geometry->tessellate();
+    delete tetras;
+    is<voVertexData*>(set->getVertexData());
+    is<voIndices*>(set->getIndices());
+    set->empty();
+    delete geometry;
+    Set copied(constantVertices, 8, 3, constantNumbers, 0);
+    Set room(8, 3, 8);
+    voVertexData data(8, 3, vertices);
+    voIndices indices(0, numbers);
+    Set parts(&data, &indices);
+    is<voIndexedTetraSet* (Set::*)()>(&Set::tessellate);
+}
+
+static void indexedSets()
+{
+    ROW(U3);
+    is<voIndexedTetraSet* (voutGeometry::*)()>(&voutGeometry::tessellate);
+    ROW(U4);
+    ROW(U8);
+    indexedSet<voutIndexedHexaSet>();
+    indexedSet<voutIndexedHexaStrip>();
+    voutIndexedHexaSet boxes(8, 3, 8);
+    boxes.setTetrasPerHexa(24);
+    ROW(U9);
+    indexedSet<voutIndexedPrismSet>();
+    indexedSet<voutIndexedPrismFaceStrip>();
+    indexedSet<voutIndexedPrismBaseStrip>();
+    indexedSet<voutIndexedPrismEdgeStrip>();
+    ROW(U10);
+    indexedSet<voutIndexedPyramidSet>();
+    indexedSet<voutIndexedPyramidStrip>();
+    ROW(U11);
+    indexedSet<voutIndexedTetraFaceStrip>();
+    indexedSet<voutIndexedTetraEdgeStrip>();
+}
 
 void utilities()
 {
@@ -26,6 +75,7 @@ void utilities()
     meter.disable();
     out << meter;
     is<std::ostream& (*)(std::ostream&, const voutPerfMeter&)>(&operator<<);
+    indexedSets();
 }
 
 } // namespace DIALECT

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vo/Geometry.h>
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace vo {
+
+/// Tetrahedra, four vertex numbers each, on records of `values` floats whose last three are the position.
+struct TetraMesh
+{
+    int values = 3;
+    std::vector<float> records;
+    std::vector<int> tetras;
+
+    std::size_t vertexCount() const { return records.size() / static_cast<std::size_t>(values); }
+    const float* record(int vertex) const
+    {
+        return records.data() + static_cast<std::size_t>(vertex) * static_cast<std::size_t>(values);
+    }
+    glm::dvec3 position(int vertex) const
+    {
+        const float* p = record(vertex) + values - 3;
+        return {p[0], p[1], p[2]};
+    }
+    /// Appends the mean of the records of `corners`, value by value; returns its number.
+    template <typename Corners>
+    int appendMean(const Corners& corners)
+    {
+        const auto number = static_cast<int>(vertexCount());
+        for (int value = 0; value < values; ++value) {
+            double sum = 0;
+            for (const int corner : corners)
+                sum += static_cast<double>(record(corner)[value]);
+            records.push_back(static_cast<float>(sum / static_cast<double>(std::size(corners))));
+        }
+        return number;
+    }
+};
+
+/// Six times the volume; positive where d sees a, b, c counter-clockwise from its side's back: a tetrahedron
+/// of three axes' unit vectors, from the origin, has 1.
+double sixfoldVolume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
+
+/// The mesh as a set of its own. Throws std::bad_alloc.
+std::unique_ptr<voIndexedTetraSet> tetraSet(const TetraMesh& mesh);
+
+/// Throws CallerError where `cells` cells of up to `tetrasEach` tetrahedra are more than ints can number.
+void requireCountable(std::size_t cells, int tetrasEach);
+
+} // namespace vo
