@@ -90,9 +90,9 @@ struct Part
     std::size_t firstTetra = 0, endTetra = 0;
     KeptArray<Item> items;
     Aside aside{3};
-    // One a box and plane: how many, then the number of the next one.
-    std::vector<std::uint32_t> records;
-    std::vector<std::size_t> indices;
+    /// One a box and plane, in the end of what comes next: first by how much it has more than the plane
+    /// before, then how much it has, then the place of the next polygon. One plane more than there are.
+    std::vector<StackCount> counts;
 
     BoxCutter cutter;
     std::vector<double> corners;
@@ -143,10 +143,13 @@ public:
     {
         part_.items.clear();
         part_.aside.clear(job_.tetras.valuesPerVertex);
-        part_.records.assign(job_.bins(), 0);
-        part_.indices.assign(job_.bins(), 0);
+        const std::size_t stride = job_.stride(), bins = job_.bins();
+        part_.counts.assign(bins + stride, 0);
         for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; ++tetra)
             lookAt(tetra);
+        StackCount* const counts = part_.counts.data();
+        for (std::size_t bin = stride; bin < bins; ++bin)
+            counts[bin] += counts[bin - stride];
     }
 
 private:
@@ -243,13 +246,14 @@ private:
     {
         std::array<std::int32_t, 4> changes = item.firstInFront;
         std::ranges::sort(changes);
-        const std::size_t stride = job_.stride();
-        std::size_t bin = job_.bin(item.box, changes[0]);
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::int32_t k = changes[i]; k < changes[i + 1]; ++k, bin += stride) {
-                part_.records[bin] += i == 1 ? 4 : 3;
-                part_.indices[bin] += i == 1 ? 6 : 3;
-            }
+        StackCount* const counts = part_.counts.data() + job_.bin(item.box, 0);
+        const auto change = [&](std::size_t i) -> StackCount& {
+            return counts[static_cast<std::size_t>(changes[i]) * job_.stride()];
+        };
+        change(0) += countOfPolygon(3);
+        change(1) += countOfPolygon(4) - countOfPolygon(3);
+        change(2) -= countOfPolygon(4) - countOfPolygon(3);
+        change(3) -= countOfPolygon(3);
     }
 
     void cutAside(std::size_t tetra, const std::array<const VertexPlace*, 4>& places, Item& item)
@@ -263,8 +267,9 @@ private:
         item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
         for (const AsidePolygon& polygon :
              std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
-            part_.records[job_.bin(polygon.box, polygon.sample)] += polygon.records;
-            part_.indices[job_.bin(polygon.box, polygon.sample)] += 3 * (polygon.records - 2);
+            StackCount* const count = part_.counts.data() + job_.bin(polygon.box, polygon.sample);
+            count[0] += countOfPolygon(polygon.records);
+            count[job_.stride()] -= countOfPolygon(polygon.records);
         }
     }
 
@@ -347,17 +352,17 @@ void writeAside(const Job& job, Part& part, const Item& item)
     for (const AsidePolygon& polygon :
          std::span(part.aside.polygons).subspan(item.firstAside, item.asideCount)) {
         const std::size_t bin = job.bin(polygon.box, polygon.sample);
-        const std::uint32_t first = part.records[bin];
+        const StackCount place =
+            std::exchange(part.counts[bin], part.counts[bin] + countOfPolygon(polygon.records));
+        const std::uint32_t first = recordsOf(place);
         std::copy_n(part.aside.data.data() + polygon.first, polygon.records * values,
                     stack.records.data() + first * values);
-        std::uint32_t* index = stack.indices.data() + part.indices[bin];
+        std::uint32_t* index = stack.indices.data() + std::size_t{3} * trianglesOf(place);
         for (std::uint32_t i = 1; i + 1 < polygon.records; ++i) {
             *index++ = first + i;
             *index++ = first + i + 1;
             *index++ = first;
         }
-        part.records[bin] += polygon.records;
-        part.indices[bin] += 3 * (polygon.records - 2);
     }
 }
 
@@ -376,8 +381,8 @@ void writePart(const Job& job, Part& part)
             tetra.places[i] = &job.places[vertex].at;
         }
         const std::size_t bin = job.bin(item.box, 0);
-        const SliceTarget target{stack.records.data(), stack.indices.data(), part.records.data() + bin,
-                                 part.indices.data() + bin, job.stride()};
+        const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data() + bin,
+                                 job.stride()};
         writeSlices(tetra, job.planesOf(item.tetra), target, part.scratch);
     }
 }
@@ -440,23 +445,21 @@ namespace {
 /// many records.
 bool findPlaces(const Job& job, std::span<const std::unique_ptr<Part>> parts, PolygonStack& stack)
 {
-    std::uint64_t records = 0;
-    std::size_t indices = 0;
+    std::uint64_t records = 0, triangles = 0;
     const std::size_t inner = job.order == StackOrder::byBrick ? job.samples : job.boxes.size();
     for (std::size_t bin = 0; bin < job.bins(); ++bin) {
-        const std::size_t before = indices;
+        const std::uint64_t before = triangles;
         for (const auto& part : parts) {
-            const std::uint32_t count =
-                std::exchange(part->records[bin], static_cast<std::uint32_t>(records));
-            indices += std::exchange(part->indices[bin], indices);
-            records += count;
+            const StackCount count = std::exchange(part->counts[bin], stackCount(records, triangles));
+            records += recordsOf(count);
+            triangles += trianglesOf(count);
         }
-        if (indices == before) continue;
+        if (triangles == before) continue;
         const int brick = static_cast<int>(job.order == StackOrder::byBrick ? bin / inner : bin % inner);
         const bool goesOn =
             job.order == StackOrder::byBrick && !stack.runs.empty() && stack.runs.back().brick == brick;
-        if (!goesOn) stack.runs.push_back({brick, before, 0});
-        stack.runs.back().count = indices - stack.runs.back().first;
+        if (!goesOn) stack.runs.push_back({brick, 3 * before, 0});
+        stack.runs.back().count = 3 * triangles - stack.runs.back().first;
     }
     if (records > UINT32_MAX) {
         stack.clear();
@@ -464,7 +467,7 @@ bool findPlaces(const Job& job, std::span<const std::unique_ptr<Part>> parts, Po
     }
     stack.records.resize(static_cast<std::size_t>(records) *
                          static_cast<std::size_t>(job.tetras.valuesPerVertex));
-    stack.indices.resize(indices);
+    stack.indices.resize(3 * triangles);
     return true;
 }
 

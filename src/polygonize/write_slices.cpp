@@ -2,6 +2,8 @@
 
 #include "core/highway_targets.h"
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "polygonize/write_slices.cpp"
 #include <hwy/foreach_target.h>
@@ -68,6 +70,15 @@ HWY_INLINE void cutLine(const CutLine& line, const PlaneFamily& planes, int begi
     }
 }
 
+/// The place of a polygon; the next one of this plane comes after it.
+template <int kVertices>
+HWY_INLINE StackCount take(const SliceTarget& target, std::size_t bin)
+{
+    const StackCount place = target.next[bin];
+    target.next[bin] = place + countOfPolygon(kVertices);
+    return place;
+}
+
 /// The polygons of planes that meet the same edges. `cuts` holds the rows of each edge, from plane `block`
 /// on.
 template <int kValues, int kVertices>
@@ -82,16 +93,13 @@ HWY_INLINE void writeRun(const TetraSection& section, bool mirrored, const float
         edges[vertex] = cuts + kEdgeOf[a][b] * count * kRow - block;
     }
     for (int k = begin; k < end; ++k) {
-        const std::size_t bin = static_cast<std::size_t>(k) * target.stride;
-        const std::uint32_t first = target.nextRecord[bin];
-        const std::size_t firstIndex = target.nextIndex[bin];
-        target.nextRecord[bin] = first + kVertices;
-        target.nextIndex[bin] = firstIndex + 3 * (kVertices - 2);
+        const StackCount place = take<kVertices>(target, static_cast<std::size_t>(k) * target.stride);
+        const std::uint32_t first = recordsOf(place);
         float* record = target.records + static_cast<std::size_t>(first) * static_cast<std::size_t>(count);
         for (int vertex = 0; vertex < kVertices; ++vertex)
             for (int value = 0; value < count; ++value)
                 *record++ = edges[vertex][value * kRow + k];
-        std::uint32_t* index = target.indices + firstIndex;
+        std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(place);
         for (std::uint32_t triangle = 1; triangle + 1 < kVertices; ++triangle) {
             *index++ = first + triangle;
             *index++ = first + triangle + 1;
@@ -153,6 +161,8 @@ constexpr hn::FixedTag<double, 4> kFour;
 constexpr hn::FixedTag<float, 4> kFourFloats;
 constexpr hn::FixedTag<std::uint32_t, 4> kFourNumbers;
 using Four = hn::Vec<decltype(kFour)>;
+/// Planes are too many streams for the processor to read ahead of writing.
+constexpr std::size_t kAhead = 32;
 
 /// A value of each of four corners, or of one end of each of four edges.
 struct FourPlaces
@@ -181,12 +191,12 @@ HWY_INLINE FourPlaces pick(const FourPlaces& corners, const std::array<std::int6
 template <int kVertices>
 HWY_INLINE void writePolygon(const FourPlaces& met, const SliceTarget& target, std::size_t bin)
 {
-    const std::uint32_t first = target.nextRecord[bin];
-    const std::size_t firstIndex = target.nextIndex[bin];
-    target.nextRecord[bin] = first + kVertices;
-    target.nextIndex[bin] = firstIndex + 3 * (kVertices - 2);
+    const StackCount place = take<kVertices>(target, bin);
+    const std::uint32_t first = recordsOf(place);
     float* record = target.records + std::size_t{3} * first;
-    std::uint32_t* index = target.indices + firstIndex;
+    std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(place);
+    hwy::Prefetch(record + kAhead);
+    hwy::Prefetch(index + kAhead);
     const auto x = hn::DemoteTo(kFourFloats, met.x), y = hn::DemoteTo(kFourFloats, met.y),
                z = hn::DemoteTo(kFourFloats, met.z);
     if constexpr (kVertices == 4) {

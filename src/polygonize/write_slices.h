@@ -27,14 +27,33 @@ struct TetraToSlice
     bool mirrored;                   ///< the corners are negatively oriented
 };
 
-/// Where slices go: for each plane of one box, the numbers of its next record and of its next index.
+/// How many records and triangles, or the numbers of the next ones, in one word to be counted at once: the
+/// lower half is the records. Differences are good even where a half of one is negative.
+using StackCount = std::uint64_t;
+constexpr StackCount stackCount(std::uint64_t records, std::uint64_t triangles)
+{
+    return (triangles << 32) + records;
+}
+constexpr StackCount countOfPolygon(std::uint64_t vertices)
+{
+    return stackCount(vertices, vertices - 2);
+}
+constexpr std::uint32_t recordsOf(StackCount count)
+{
+    return static_cast<std::uint32_t>(count);
+}
+constexpr std::uint32_t trianglesOf(StackCount count)
+{
+    return static_cast<std::uint32_t>(count >> 32);
+}
+
+/// Where slices go.
 struct SliceTarget
 {
     float* records;
     std::uint32_t* indices;
-    std::uint32_t* nextRecord; ///< of the first plane
-    std::size_t* nextIndex;    ///< likewise
-    std::size_t stride;        ///< from one plane to the next
+    StackCount* next;   ///< of each plane of one box, from the first plane
+    std::size_t stride; ///< from one plane to the next
 };
 
 /// Slices a tetrahedron with all planes that meet it, several at a time. A polygon is a fan as PolygonStack
