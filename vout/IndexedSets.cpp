@@ -16,7 +16,7 @@ struct voutIndexedSet::Private
     std::unique_ptr<voIndices> ownIndices;
     voVertexData* vertices = nullptr;
     voIndices* indices = nullptr;
-    int tetrasPerHexa = 5;
+    vo::HexaSplit split = vo::HexaSplit::five;
 
     void own(std::unique_ptr<voVertexData> v, std::unique_ptr<voIndices> i)
     {
@@ -57,15 +57,8 @@ void requireFinite(const vo::Cells& cells, const vo::TetraMesh& mesh)
     }
 }
 
-vo::HexaSplit splitInto(int tetrasPerHexa)
-{
-    return tetrasPerHexa == 24  ? vo::HexaSplit::fromMiddles
-           : tetrasPerHexa == 6 ? vo::HexaSplit::fromSmallest
-                                : vo::HexaSplit::five;
-}
-
 voIndexedTetraSet* tessellated(const char* action, const voutIndexedSet& set, const vo::Arrangement& arrangement,
-                               int tetrasPerHexa = 5)
+                               vo::HexaSplit split)
 {
     std::unique_ptr<voIndexedTetraSet> tetras;
     guarded(action, [&] {
@@ -75,19 +68,10 @@ voIndexedTetraSet* tessellated(const char* action, const voutIndexedSet& set, co
             vo::cellsOf(arrangement, {indices.getDataPtr(), static_cast<std::size_t>(indices.getCount())},
                         set.getVertexData()->getCount());
         requireFinite(cells, mesh);
-        vo::splitCells(cells, splitInto(tetrasPerHexa), mesh);
+        vo::splitCells(cells, split, mesh);
         tetras = vo::tetraSet(mesh);
     });
     return tetras.release();
-}
-
-void changeTetrasPerHexa(const char* action, int count, int& tetrasPerHexa)
-{
-    guarded(action, [&] {
-        if (count != 5 && count != 6 && count != 24)
-            badValue(std::to_string(count) + " tetrahedra in a box, 5, 6 or 24 are possible");
-        tetrasPerHexa = count;
-    });
 }
 
 } // namespace
@@ -156,22 +140,22 @@ void voutIndexedSet::empty()
 
 void voutIndexedHexaSet::setTetrasPerHexa(int count)
 {
-    changeTetrasPerHexa("voutIndexedHexaSet::setTetrasPerHexa", count, d->tetrasPerHexa);
+    guarded("voutIndexedHexaSet::setTetrasPerHexa", [&] { d->split = vo::hexaSplit(count); });
 }
 
 int voutIndexedHexaSet::getTetrasPerHexa() const
 {
-    return d->tetrasPerHexa;
+    return static_cast<int>(d->split);
 }
 
 void voutIndexedHexaStrip::setTetrasPerHexa(int count)
 {
-    changeTetrasPerHexa("voutIndexedHexaStrip::setTetrasPerHexa", count, d->tetrasPerHexa);
+    guarded("voutIndexedHexaStrip::setTetrasPerHexa", [&] { d->split = vo::hexaSplit(count); });
 }
 
 int voutIndexedHexaStrip::getTetrasPerHexa() const
 {
-    return d->tetrasPerHexa;
+    return static_cast<int>(d->split);
 }
 
 #define VOUT_INDEXED_SET(Set, arrangement)                                                                     \
@@ -190,7 +174,7 @@ int voutIndexedHexaStrip::getTetrasPerHexa() const
     Set::Set(voVertexData* data, voIndices* indices) : voutIndexedSet(data, indices) {}                        \
     voIndexedTetraSet* Set::tessellate()                                                                       \
     {                                                                                                          \
-        return tessellated(#Set "::tessellate", *this, arrangement, d->tetrasPerHexa);                         \
+        return tessellated(#Set "::tessellate", *this, arrangement, d->split); \
     }
 
 VOUT_INDEXED_SET(voutIndexedTetraFaceStrip, vo::kTetraFaceStrip)

@@ -5,6 +5,7 @@
 #include "vout/hexa_coloring.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <climits>
@@ -120,9 +121,7 @@ public:
                 middle += point_[static_cast<std::size_t>(shape.face[f].corner[static_cast<std::size_t>(i)])];
             middle /= shape.face[f].corners;
         }
-        const glm::dvec3 farthest = glm::max(glm::abs(lower), glm::abs(upper)), extent = upper - lower;
-        const double size = std::max({extent.x, extent.y, extent.z});
-        noise_ = std::ldexp(size * size * std::max({farthest.x, farthest.y, farthest.z}), -22);
+        rounding_ = std::ldexp(1.0, -22) * glm::max(glm::abs(lower), glm::abs(upper));
     }
 
     double volume(const Tetra& t) const
@@ -130,25 +129,31 @@ public:
         const auto at = [&](std::size_t i) { return point_[static_cast<std::size_t>(t[i])]; };
         return sixfoldVolume(at(0), at(1), at(2), at(3));
     }
-    /// Volumes that rounding the corners to floats could make of nothing.
-    double noise() const { return noise_; }
+    /// Whether rounding the corners to floats could make such a volume of nothing.
+    bool isFlat(const Tetra& t) const
+    {
+        const auto at = [&](std::size_t i) { return point_[static_cast<std::size_t>(t[i])]; };
+        const glm::dvec3 a = at(1) - at(0), b = at(2) - at(0), c = at(3) - at(0);
+        const glm::dvec3 faces = glm::abs(glm::cross(a, b)) + glm::abs(glm::cross(b, c)) +
+                                 glm::abs(glm::cross(c, a)) + glm::abs(glm::cross(b - a, c - a));
+        return std::abs(glm::dot(glm::cross(a, b), c)) <= glm::dot(rounding_, faces);
+    }
 
 private:
     std::array<glm::dvec3, kPoints> point_{};
-    double noise_;
+    glm::dvec3 rounding_; ///< how far a corner may lie from where it should
 };
 
 /// +1 or -1 for a cell of one handedness or the other; 0 where it has no volume.
 int handedness(const Pieces& pieces, const CellSpace& space)
 {
-    double sum = 0, largest = 0;
+    double sum = 0;
+    bool flat = true;
     for (const Tetra& tetra : pieces.all()) {
-        const double volume = space.volume(tetra);
-        sum += volume;
-        largest = std::max(largest, std::abs(volume));
+        sum += space.volume(tetra);
+        flat = flat && space.isFlat(tetra);
     }
-    if (largest <= space.noise()) return 0;
-    return sum < 0 ? -1 : 1;
+    return flat ? 0 : sum < 0 ? -1 : 1;
 }
 
 /// Chooses among ways to split a cell: the first whose pieces all have a volume, else the first that has none inside
@@ -161,11 +166,14 @@ public:
     /// Whether the search is over.
     bool takes(const Pieces& pieces)
     {
-        double smallest = HUGE_VAL;
-        for (const Tetra& tetra : pieces.all())
-            smallest = std::min(smallest, hand_ * space_.volume(tetra));
-        if (smallest > 0 || (!chosen_ && smallest >= -space_.noise())) chosen_ = pieces;
-        return smallest > 0;
+        bool whole = true, insideOut = false;
+        for (const Tetra& tetra : pieces.all()) {
+            const bool positive = hand_ * space_.volume(tetra) > 0;
+            whole = whole && positive;
+            insideOut = insideOut || (!positive && !space_.isFlat(tetra));
+        }
+        if (whole || (!chosen_ && !insideOut)) chosen_ = pieces;
+        return whole;
     }
     const std::optional<Pieces>& chosen() const { return chosen_; }
 
@@ -184,7 +192,7 @@ int piecesOf(CellKind kind, HexaSplit split)
     case CellKind::prism: return 3;
     case CellKind::hexa: break;
     }
-    return split == HexaSplit::fromMiddles ? kMostTetras : split == HexaSplit::fromSmallest ? 6 : 5;
+    return static_cast<int>(split);
 }
 
 class Splitter
@@ -317,6 +325,13 @@ private:
 };
 
 } // namespace
+
+HexaSplit hexaSplit(int tetras)
+{
+    for (const HexaSplit split : {HexaSplit::five, HexaSplit::fromSmallest, HexaSplit::fromMiddles})
+        if (static_cast<int>(split) == tetras) return split;
+    badValue(std::to_string(tetras) + " tetrahedra in a box, 5, 6 or 24 are possible");
+}
 
 std::size_t splitCells(const Cells& cells, HexaSplit split, TetraMesh& mesh)
 {

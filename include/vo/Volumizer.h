@@ -17,5 +17,6 @@
 #include <vo/State.h>
 #include <vo/utGeometry.h>
 #include <vo/utPerfMeter.h>
+#include <vo/utSolids.h>
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <vo/utGeometry.h>
 #include <vo/utPerfMeter.h>
+#include <vo/utSolids.h>
 
 #include <sstream>
 
@@ -32,6 +33,28 @@ static void indexedSet()
     voIndices indices(0, numbers);
     Set parts(&data, &indices);
     is<voIndexedTetraSet* (Set::*)()>(&Set::tessellate);
+}
+
+static void solids()
+{
+    ROW(U5);
+    voutSphere* aSphere = new voutSphere(0, 0, 0, 100, 32, 32); // new is not the guide's
+    voIndexedTetraSet* tetras = aSphere->tesselate();
+    delete tetras;
+    delete aSphere;
+    ROW(U6);
+    voutGeoSphere geodesic(0, 0, 0, 100, 2);
+    voutShell shell(0, 0, 0, 50, 100, 2);
+    ROW(U7);
+    const float from[3] = {0, 0, 0}, to[3] = {1, 2, 3};
+    voutCylinder cylinder(0, 0, 0, 1, 2, 16, 1), leaning(from, to, 1, 16, 1);
+    voutCone cone(0, 0, 0, 1, 2, 16, 1), leaningCone(from, to, 1, 16, 1);
+    voutTorus torus(0, 0, 0, 2, 1, 16, 8);
+    voutBox box(0, 0, 0, 1, 1, 1);
+    const float triangle[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    voutExtrusion extrusion(triangle, 3, to);
+    voutGeometry* geometry = &extrusion;
+    delete geometry->tessellate();
 }
 
 static void indexedSets()
@@ -75,6 +98,7 @@ void utilities()
     meter.disable();
     out << meter;
     is<std::ostream& (*)(std::ostream&, const voutPerfMeter&)>(&operator<<);
+    solids();
     indexedSets();
 }
 
