@@ -12,7 +12,7 @@ packages=(
     # the library: vectors, the generator of the OpenGL loader, GL/gl.h, SIMD, threads
     libglm-dev python3-glad libgl-dev libhwy-dev libtbb-dev
     # files
-    libtiff-dev libpng-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev
+    libtiff-dev libpng-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev libpugixml-dev
     # demos: windows; drawing without a window or a graphics card
     libglfw3-dev libegl-dev libegl1 libgl1 libgl1-mesa-dri libosmesa6
     # tests: the framework, a display of their own

@@ -26,6 +26,7 @@ HOMES = [
     ("teem", None, r"^teem/", ["util/volume_io/"]),
     ("libnifti", None, r"^nifti", ["util/volume_io/"]),
     ("GDCM", None, r"^gdcm", ["util/volume_io/", "tests/util/"]),
+    ("pugixml", r"\bpugi::", r"^pugixml\.hpp$", ["util/mesh_io/"]),
     ("GLFW", r"\bglfw[A-Z]\w*\s*\(", r"^GLFW/", ["demos/common/", "tests/install/"]),
     ("EGL", r"\begl[A-Z]\w*\s*\(", r"^EGL/", ["demos/common/offscreen/"]),
     ("OSMesa", r"\bOSMesa[A-Z]\w*\s*\(", r"^GL/osmesa", ["demos/common/offscreen/"]),
