@@ -69,10 +69,11 @@ struct CellPieces
     std::array<CornerTetra, 12> tetra{};
 
     constexpr void add(const CornerTetra& piece) { tetra[static_cast<std::size_t>(count++)] = piece; }
-    constexpr std::span<const CornerTetra> all() const
+    constexpr std::span<const CornerTetra> all() const&
     {
         return {tetra.data(), static_cast<std::size_t>(count)};
     }
+    std::span<const CornerTetra> all() && = delete;
 };
 
 /// The box of five tetrahedra whose faces are cut between the corners 0, 2, 5 and 7, and its mirror image.

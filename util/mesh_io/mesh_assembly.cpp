@@ -43,7 +43,8 @@ public:
             }
         }
         double volume = 0;
-        for (const CornerTetra& t : splitFromMiddle(kind, cutsFromSmallest(kind, cell)).all())
+        const CellPieces pieces = splitFromMiddle(kind, cutsFromSmallest(kind, cell));
+        for (const CornerTetra& t : pieces.all())
             volume +=
                 sixfoldVolume(corner[static_cast<std::size_t>(t[0])], corner[static_cast<std::size_t>(t[1])],
                               corner[static_cast<std::size_t>(t[2])], corner[static_cast<std::size_t>(t[3])]);
