@@ -112,8 +112,8 @@ void printText(const VolumeReport& report)
     std::printf("  format          %s\n", report.about.format.c_str());
     std::printf("  size            %lld x %lld x %lld voxels\n", static_cast<long long>(size[0]),
                 static_cast<long long>(size[1]), static_cast<long long>(size[2]));
-    std::printf("  type            %s, %d channel%s\n", vo::channelTypeName(type), channels,
-                channels == 1 ? "" : "s");
+    std::printf("  type            %s, %d channel%s%s\n", vo::channelTypeName(type), channels,
+                channels == 1 ? "" : "s", report.about.alphaAdded ? ", alpha not in the file" : "");
     if (report.about.spacingKnown)
         std::printf("  spacing         %s x %s x %s mm\n", text(spacing[0]).c_str(), text(spacing[1]).c_str(),
                     text(spacing[2]).c_str());
@@ -183,6 +183,7 @@ std::string json(const VolumeReport& report)
            ",\n   \"size\": " + listed(report.info.size, whole) +
            ", \"channels\": " + std::to_string(report.info.channels) +
            ", \"type\": " + quoted(vo::channelTypeName(report.info.type)) +
+           ", \"alphaAdded\": " + (about.alphaAdded ? "true" : "false") +
            ",\n   \"spacing\": " + (about.spacingKnown ? vector(about.spacing) : "null") +
            ", \"fileAxes\": " + (about.orientation.known ? quoted(about.orientation.fileAxes) : "null") +
            ",\n   \"direction\": " + listed(about.orientation.direction, vector) +

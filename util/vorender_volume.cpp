@@ -1,6 +1,7 @@
 #include "vorender_volume.h"
 
 #include "utility.h"
+#include "volume_view/brightness_alpha.h"
 #include "volume_view/defaults.h"
 
 #include "appearance/convert_voxels.h"
@@ -100,6 +101,16 @@ void stretch(const LoadedVolume& volume)
     });
 }
 
+void setBrightnessAlpha(const LoadedVolume& volume, ChannelType type)
+{
+    const std::size_t voxelSize = voxelBytes(volume.format);
+    const Parts parts(volume.size.count());
+    parallelFor(parts.count(), 0, [&](std::size_t part) {
+        setBrightnessAlpha(
+            type, volume.voxels.bytes().subspan(parts.begin(part) * voxelSize, parts.size(part) * voxelSize));
+    });
+}
+
 /// The values that the table begins and ends at, from the voxels as the file has them.
 ValueRange chosenRange(const std::string& path, const VolumeInfo& info, std::span<const std::byte> voxels,
                        const Options& options)
@@ -134,6 +145,8 @@ Result<LoadedVolume> loadVolume(const std::string& path, VolumeFile& file, const
     volume.low = static_cast<float>(range.low);
     volume.high = static_cast<float>(range.high);
     volume.voxels = std::move(*block);
+    if (file.description().alphaAdded && !options.mip && !hasTable(options))
+        setBrightnessAlpha(volume, info.type);
     if (info.channels == 4 && !color) {
         const VoxelFormat grey{Channels::luminanceAlpha, volume.format.type};
         std::byte* voxels = volume.voxels.bytes().data();

@@ -212,6 +212,15 @@ int myGetVolumeSpacing(char* fileName, double& xSpacing, double& ySpacing, doubl
     return 0;
 }
 
+int myGetVolumeAlphaAdded(char* fileName, bool& added)
+{
+    const std::lock_guard guard(openVolumes().lock);
+    const auto volume = namedVolume(fileName);
+    if (!volume) return fail(volume.failure().text);
+    added = (*volume)->description().alphaAdded;
+    return 0;
+}
+
 int myReadBrickIfl(char* fileName, void* data, int xBrickOrigin, int yBrickOrigin, int zBrickOrigin,
                    int xBrickSize, int yBrickSize, int zBrickSize, int xVolumeSize, int yVolumeSize,
                    int zVolumeSize)

@@ -20,6 +20,10 @@ int myGetVolumeSizesIfl(char* fileName, int& xSize, int& ySize, int& zSize,
 /// references are unchanged.
 int myGetVolumeSpacing(char* fileName, double& xSpacing, double& ySpacing, double& zSpacing);
 
+/// Whether the file has no alpha although voxels arrive with one: then it is full everywhere. After a failure
+/// the reference is unchanged.
+int myGetVolumeAlphaAdded(char* fileName, bool& added);
+
 /// Reads the brick with this origin and these sizes, in voxels. The volume's sizes are those that
 /// myGetVolumeSizesIfl gave; others are a failure, since then the caller speaks of another file. The files
 /// read last stay open, so that the bricks of a volume open it once.

@@ -1,9 +1,11 @@
 #include "voglVolume.h"
 
 #include "brick_io.h"
+#include "data_type.h"
 #include "voglMain.h"
 #include "voxel_range.h"
 
+#include "volume_view/brightness_alpha.h"
 #include "volume_view/defaults.h"
 
 #include <algorithm>
@@ -196,10 +198,32 @@ VoglSource voglOpenFile(const char* program, const char* fileName)
                             source.dataType))
         exit(1);
     myGetVolumeSpacing(name, source.spacing[0], source.spacing[1], source.spacing[2]);
+    myGetVolumeAlphaAdded(name, source.alphaAdded);
     source.readBrick = [name, size = std::array{source.size[0], source.size[1], source.size[2]}](
                            void* data, const int origin[3], const int brick[3]) {
         return myReadBrickIfl(name, data, origin[0], origin[1], origin[2], brick[0], brick[1], brick[2],
                               size[0], size[1], size[2]);
+    };
+    return source;
+}
+
+VoglSource voglOpenBlended(const char* program, const char* fileName)
+{
+    return voglOpenBlended(program, fileName, vo::hasTable(options));
+}
+
+VoglSource voglOpenBlended(const char* program, const char* fileName, bool hasTable)
+{
+    VoglSource source = voglOpenFile(program, fileName);
+    const auto type = channelTypeOf(source.dataType);
+    if (!source.alphaAdded || options.mip || hasTable || !type) return source;
+    source.readBrick = [read = source.readBrick, type = *type](void* data, const int origin[3],
+                                                               const int size[3]) {
+        const int failed = read(data, origin, size);
+        const std::size_t voxels = std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
+        const std::size_t bytes = voxels * 4 * std::size_t(vo::bytesPerChannel(type));
+        if (!failed) vo::setBrightnessAlpha(type, {static_cast<std::byte*>(data), bytes});
+        return failed;
     };
     return source;
 }

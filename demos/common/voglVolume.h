@@ -24,6 +24,8 @@ struct VoglSource
     double spacing[3] = {1, 1, 1};
     voExternalFormatType diskFormat = voExternalFormatTypeScope::LUMINANCE;
     voDataType dataType = voDataTypeScope::UNSIGNED_BYTE;
+    /** Alpha is full everywhere, and none of the file's. */
+    bool alphaAdded = false;
     /** Fills `data` with the voxels from `origin`, `brickSize` along each axis, x fastest, zero outside the
         volume. 0, or something else after one line on stderr. */
     std::function<int(void* data, const int origin[3], const int brickSize[3])> readBrick;
@@ -45,6 +47,12 @@ struct VoglVolume
 
 /** A file in any format that the loaders of brick_io.h read. Leaves by exit(1) after one line on stderr. */
 VoglSource voglOpenFile(const char* program, const char* fileName);
+
+/** The same for pictures of slices blended over each other (unless -mip says otherwise). Without a table,
+   which would bring opacities, colours whose file has no alpha get their brightness for one: black voxels
+   hide nothing. `hasTable`: for volumes that have another table than that of the options. */
+VoglSource voglOpenBlended(const char* program, const char* fileName);
+VoglSource voglOpenBlended(const char* program, const char* fileName, bool hasTable);
 
 /** Reads a volume into bricks for the textures and brick sizes of the options, its values spread over its
    type's whole range. Sets modelScale to the spacing, the smallest 1, unless -scale says otherwise. Refuses

@@ -10,6 +10,6 @@ const VoglProgram voglProgram = {
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    volume = voglReadVolume(argv[0], voglOpenFile(argv[0], argv[1]));
+    volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1]));
     return volume.bricks;
 }

@@ -73,7 +73,7 @@ static Point keptInside(Point middle)
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    volume = voglReadVolume(argv[0], voglOpenFile(argv[0], argv[1]));
+    volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1]));
     // The view volume is deeper than usual, since it holds what the mirror shows.
     const int deep[3] = {2 * volume.size[0], 2 * volume.size[1], 2 * volume.size[2]};
     volume.maxSamplesNumber = voglCountPlanes(argv[0], deep);

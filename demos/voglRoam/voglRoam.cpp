@@ -87,7 +87,7 @@ static bool moveInterest(int key)
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    source = voglOpenFile(argv[0], argv[1]);
+    source = voglOpenBlended(argv[0], argv[1]);
     if (!options.bricks) {
         options.bricks.emplace();
         for (std::size_t i = 0; i < 3; i++)

@@ -63,7 +63,7 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
         voglFail(argv[0], "option -shells: expected planes, each of one depth, as its slice is drawn");
     // A slice that is moved by a voxel must stay on the brick's voxels.
     options.overlap = std::max(options.overlap, 3);
-    volume = voglReadVolume(argv[0], voglOpenFile(argv[0], argv[1]));
+    volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1]));
     return volume.bricks;
 }
 

@@ -50,7 +50,7 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
     const double low = readValue(argv[0], argv[2]), high = readValue(argv[0], argv[3]);
     if (!(low <= high))
         voglFail(argv[0], std::string("expected LOW up to HIGH, found ") + argv[2] + " " + argv[3]);
-    const VoglSource source = voglOpenFile(argv[0], argv[1]);
+    const VoglSource source = voglOpenBlended(argv[0], argv[1]);
     const double mostCubes = 1 << 18;
     double cubes = 1;
     for (int size : source.size)

@@ -8,6 +8,8 @@
 #include "voglLookup.h"
 #include "voglVolume.h"
 
+#include "volume_view/defaults.h"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -135,7 +137,8 @@ static void makeClasses(const char* program)
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    volume = voglReadVolume(argv[0], voglOpenFile(argv[0], argv[1]));
+    const bool hasTable = vo::hasTable(options) || !tableFiles.empty();
+    volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1], hasTable));
     tags = readTags(argv[0], voglOpenFile(argv[0], argv[2]));
     makeClasses(argv[0]);
     return volume.bricks;

@@ -105,7 +105,8 @@ static void place(const char* program, const VoglSource& first, const VoglSource
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    const VoglSource first = voglOpenFile(argv[0], argv[1]), second = voglOpenFile(argv[0], argv[2]);
+    const VoglSource first = voglOpenBlended(argv[0], argv[1]);
+    const VoglSource second = voglOpenBlended(argv[0], argv[2], !lutFile2.empty());
     readFirst(argv[0], first);
     readSecond(argv[0], second);
     place(argv[0], first, second);

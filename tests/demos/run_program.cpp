@@ -86,6 +86,16 @@ void writeShorts(const std::filesystem::path& path, int xSize, int ySize, int zS
     writeVolume<std::uint16_t>(path, {{xSize, ySize, zSize}, 1, ChannelType::uint16}, value);
 }
 
+void writeChannels(const std::filesystem::path& path, int xSize, int ySize, int zSize,
+                   const std::string& voxels)
+{
+    std::ofstream(path, std::ios::binary)
+        << "NRRD0004\ntype: uchar\ndimension: 4\nsizes: " << int(voxels.size()) / (xSize * ySize * zSize)
+        << ' ' << xSize << ' ' << ySize << ' ' << zSize
+        << "\nkinds: vector space space space\nencoding: raw\n\n"
+        << voxels;
+}
+
 std::string readFile(const std::filesystem::path& path)
 {
     std::ifstream stream(path, std::ios::binary);

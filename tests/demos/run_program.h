@@ -50,6 +50,10 @@ void writeBytes(const std::filesystem::path& path, int xSize, int ySize, int zSi
 void writeShorts(const std::filesystem::path& path, int xSize, int ySize, int zSize,
                  const std::function<int(int, int, int)>& value);
 
+/// Writes bytes as NRRD, side by side as many channels as they are enough for.
+void writeChannels(const std::filesystem::path& path, int xSize, int ySize, int zSize,
+                   const std::string& voxels);
+
 std::string readFile(const std::filesystem::path& path);
 
 /// Red, green or blue of a pixel, y from the top.

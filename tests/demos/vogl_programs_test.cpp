@@ -107,6 +107,12 @@ TEST_F(VoglPrograms, vorenderDrawsVolumesOfEveryKind)
         draws(std::string(name) + " -view 20 30 -color");
         draws(std::string(name) + " -view 20 30 -lut 100 150");
     }
+    std::string colours;
+    for (int i = 0; i < 3 * 12 * 14 * 10; ++i)
+        colours += static_cast<char>(i % 7 == 0 ? i % 200 : i % 11);
+    vo::writeChannels(folder / "three.nrrd", 12, 14, 10, colours);
+    for (const char* words : {"", " -color", " -color -mip", " -color -lut 100 150"})
+        draws("three.nrrd -view 20 30" + std::string(words));
 }
 
 TEST_F(VoglPrograms, twoRunsGiveTheSameBytes)

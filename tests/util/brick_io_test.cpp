@@ -70,6 +70,26 @@ TEST_F(BrickIoTest, brickIsReadAndZeroFilled)
     EXPECT_TRUE(same == brick);
 }
 
+TEST_F(BrickIoTest, alphaThatTheFileHasNotIsTold)
+{
+    for (const int channels : {3, 4}) {
+        std::ofstream(folder_ / "c.nrrd", std::ios::binary)
+            << "NRRD0004\ntype: uchar\ndimension: 4\nsizes: " << channels
+            << " 2 1 1\nkinds: vector space space space\nencoding: raw\n\n"
+            << std::string(std::size_t(2 * channels), 'v');
+        std::string path = folder_ / "c.nrrd";
+        bool added = channels == 4;
+        ASSERT_EQ(myGetVolumeAlphaAdded(path.data(), added), 0);
+        EXPECT_EQ(added, channels == 3);
+    }
+    bool untouched = true;
+    char none[] = "none.nrrd";
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(myGetVolumeAlphaAdded(none, untouched), 1);
+    EXPECT_NE(testing::internal::GetCapturedStderr(), "");
+    EXPECT_TRUE(untouched);
+}
+
 TEST_F(BrickIoTest, otherFormatsAndTheirSpacingAreRead)
 {
     const VolumeTruth truth({{4, 3, 2}, 1, ChannelType::uint8});

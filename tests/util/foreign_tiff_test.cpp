@@ -178,7 +178,32 @@ TEST_F(ForeignTiffTest, threeChannelsGainFullAlpha)
                 EXPECT_EQ(volume->info().channels, 4);
                 EXPECT_TRUE(readBrick(*volume, {{0, 0, 0}, volume->info().size}) ==
                             WithFullAlpha::whole(tiff));
+                EXPECT_TRUE(volume->description().alphaAdded);
             }
+}
+
+TEST_F(ForeignTiffTest, alphaOfOnePageIsAlphaOfTheFile)
+{
+    for (const int first : {3, 4}) {
+        TIFF* tiff = TIFFOpen(path_.c_str(), "w");
+        ASSERT_TRUE(tiff);
+        for (const int channels : {first, 7 - first}) {
+            TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, 1);
+            TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, 1);
+            TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 8);
+            TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
+            TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+            TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+            std::array<std::uint8_t, 4> pixel{1, 2, 3, 4};
+            TIFFWriteScanline(tiff, pixel.data(), 0, 0);
+            TIFFWriteDirectory(tiff);
+        }
+        TIFFClose(tiff);
+        const auto volume = openVolume(path_);
+        ASSERT_TRUE(volume) << volume.failure().text;
+        EXPECT_EQ(volume->info().size[2], 2);
+        EXPECT_FALSE(volume->description().alphaAdded);
+    }
 }
 
 TEST_F(ForeignTiffTest, reducedCopiesArePassedOver)

@@ -256,8 +256,9 @@ TEST_F(Utilities, volinfoJsonIsAnArrayAndReadableFilesAreDescribed)
     const auto first = both.output.find("{\"file\": \"a \\\"b\\\".tif\", \"format\": \"TIFF\"");
     ASSERT_NE(first, std::string::npos) << both.output;
     EXPECT_NE(both.output.find("{\"file\": \"a \\\"b\\\".tif\"", first + 1), std::string::npos);
-    EXPECT_NE(both.output.find("\"size\": [2, 1, 1], \"channels\": 4, \"type\": \"uint8\""),
-              std::string::npos);
+    EXPECT_NE(
+        both.output.find("\"size\": [2, 1, 1], \"channels\": 4, \"type\": \"uint8\", \"alphaAdded\": false"),
+        std::string::npos);
     EXPECT_EQ(std::ranges::count(both.output, '{'), 2 * (1 + 4));
 }
 

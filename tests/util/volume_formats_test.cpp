@@ -208,6 +208,7 @@ TEST_F(VolumeFormats, niftiColoursAndVectorsBecomeChannels)
     nifti.dim = {5, 4, 3, 4};
     nifti.intent = 1007; // a vector
     expectVoxels(file("fourth.nii", nifti.header() + voxelsInFile(colour, {}, false, 4, true)), colour);
+    EXPECT_FALSE(description(folder_ / "fourth.nii").alphaAdded);
 
     for (const bool planar : {false, true}) {
         nifti.dim = planar ? std::vector<std::int64_t>{5, 4, 3, 1, 3} : std::vector<std::int64_t>{5, 4, 3};
@@ -219,6 +220,7 @@ TEST_F(VolumeFormats, niftiColoursAndVectorsBecomeChannels)
         for (std::size_t i = 3; i < expected.size(); i += 4)
             expected[i] = std::byte{255};
         EXPECT_TRUE(readBrick(*volume, {{0, 0, 0}, {5, 4, 3}}) == expected);
+        EXPECT_TRUE(volume->description().alphaAdded);
     }
 }
 
@@ -745,6 +747,7 @@ TEST_F(DicomFormats, framesAndColoursOfOneFileAreRead)
     for (std::size_t i = 3; i < expected.size(); i += 4)
         expected[i] = std::byte{255};
     EXPECT_TRUE(readBrick(*volume, {{0, 0, 0}, {6, 4, 1}}) == expected);
+    EXPECT_TRUE(volume->description().alphaAdded);
 }
 
 TEST_F(DicomFormats, badFilesAreToldInOneLineAndNothingIsPrinted)

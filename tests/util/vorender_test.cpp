@@ -94,6 +94,44 @@ TEST_F(Vorender, opacityOfAConstantCubeFollowsTheSum)
     }
 }
 
+TEST_F(Vorender, coloursWithoutAlphaAreAsOpaqueAsBright)
+{
+    constexpr int n = 16;
+    // Black before and behind (y points away), in between six slices of one colour.
+    const auto writeSlab = [&](const std::string& name, int channels, unsigned char alpha) {
+        std::string voxels;
+        for (int i = 0; i < n * n * n; ++i) {
+            const bool inside = i / n % n >= 5 && i / n % n < 11;
+            for (const int value : {51, 102, 25, int(alpha)})
+                voxels += static_cast<char>(inside ? value : 0);
+            if (channels == 3) voxels.pop_back();
+            if (channels == 4 && alpha == 255) voxels.back() = '\xff';
+        }
+        writeFile(folder_ / name, voxels);
+        return " -raw 16 16 16 uchar " + name + " -channels " + std::to_string(channels) + " -size 64 64 ";
+    };
+    const std::string rgb = writeSlab("rgb.raw", 3, 0), opaque = writeSlab("opaque.raw", 4, 255),
+                      bright = writeSlab("bright.raw", 4, 102);
+    draws(rgb + "-color -output p.raw");
+    const double opacity = 1 - std::pow(1 - 102 / 255.0, 6);
+    const float* pixel = middle(floats("p.raw"), 4);
+    for (const auto& [channel, value] : {std::pair(0, 51), {1, 102}, {2, 25}, {3, 255}})
+        EXPECT_NEAR(double(pixel[channel]), value / 255.0 * opacity, 1e-5) << channel;
+
+    writeFile(folder_ / "t.lut", "0.0 0.0 0.0 0.0\n1.0 0.5 0.25 0.1\n");
+    const auto expectSame = [&](const std::string& words, const std::string& other) {
+        draws(rgb + words + " -output p.raw");
+        draws(other + words + " -output other.raw");
+        EXPECT_EQ(bytesOf("p.raw"), bytesOf("other.raw")) << words;
+    };
+    for (const char* words : {"", "-color -view 20 30", "-color -shells -perspective 40", "-2D -view 0 90"})
+        expectSame(words, bright);
+    for (const char* words : {"-mip -color", "-mip", "-lutFile t.lut", "-lut 100 80", "-color -lut 100 80"})
+        expectSame(words, opaque);
+    draws(opaque + "-color -output p.raw");
+    EXPECT_EQ(middle(floats("p.raw"), 4)[1], 0.0f) << "an alpha of the file's own stays";
+}
+
 TEST_F(Vorender, rowsComeFromTheTop)
 {
     // Bright above: at 0 0 z points up.

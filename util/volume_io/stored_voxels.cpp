@@ -163,6 +163,7 @@ StoredReader::StoredReader(const StoredLayout& layout, const Placement& placemen
     info_.type = channelTypeFor(layout.type);
     alpha_ = fullAlpha(info_.type);
     description_ = std::move(description);
+    description_.alphaAdded = layout.channels == 3;
     description_.spacing = placement.spacing;
     description_.spacingKnown = placement.spacingKnown;
     description_.orientation = placement.orientation;

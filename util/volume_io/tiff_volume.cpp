@@ -195,6 +195,7 @@ Result<void> TiffReader::addCurrentPage(std::int64_t page)
     info.channels = layout->channels == 3 ? 4 : layout->channels;
     info.type = layout->type;
 
+    description_.alphaAdded = layout->channels == 3 && (pages_.empty() || description_.alphaAdded);
     if (pages_.empty()) {
         info_ = info;
     } else if (info_.size[2] > 1 || layout->depth > 1) {

@@ -66,6 +66,8 @@ struct VolumeDescription
     /// What a value v of the file stands for: slope * v + intercept. Voxels arrive without it.
     double slope = 1;
     double intercept = 0;
+    /// The file has three channels: alpha is full everywhere, and none of the file's.
+    bool alphaAdded = false;
     /// What a user should know, one line each without the file's name: numbers that were converted, parts of
     /// the file that are left out.
     std::vector<std::string> notes;
@@ -130,8 +132,9 @@ private:
 /// Volumes that say how they lie in the patient arrive with x to the right, y to the front and z up; all
 /// others, TIFF and PNG among them, in the order of the file. Numbers of types that ChannelType lacks become
 /// float32, with a note. Three channels arrive as RGBA with full alpha (the largest value of the type, 1 for
-/// float). Files that can only be decoded whole are decoded here and kept in memory. Everything is checked
-/// on opening, so that a file that has lost pages or bytes fails here and says what is missing.
+/// float), and the description says so. Files that can only be decoded whole are decoded here and kept in
+/// memory. Everything is checked on opening, so that a file that has lost pages or bytes fails here and says
+/// what is missing.
 Result<VolumeFile> openVolume(const std::string& path);
 
 enum class ByteOrder { littleEndian, bigEndian };

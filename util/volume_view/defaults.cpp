@@ -44,6 +44,11 @@ ValueRange dataRange(const Options& options, const ValueRange& seen, const Value
     return !isByte && seen.low < seen.high ? seen : full;
 }
 
+bool hasTable(const Options& options)
+{
+    return options.lut || !options.lutFile.empty();
+}
+
 bool inColor(const Options& options, bool tableHasColors)
 {
     return options.color.value_or(tableHasColors);

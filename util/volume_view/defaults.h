@@ -32,6 +32,10 @@ std::string planeOptionsGiven(const Options& options, bool withBricks);
 /// several channels, of which nothing is seen.
 ValueRange dataRange(const Options& options, const ValueRange& seen, const ValueRange& full, bool isByte);
 
+/// Whether a table is asked for. Without one, volumes of several channels have their own colours and
+/// opacities.
+bool hasTable(const Options& options);
+
 /// Whether a picture is in RGBA or in grey: -color and -monochrome, else whether the table has colours.
 bool inColor(const Options& options, bool tableHasColors);
 
