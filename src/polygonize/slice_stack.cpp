@@ -3,7 +3,7 @@
 #include "core/parallel.h"
 #include "polygonize/box_cutter.h"
 #include "polygonize/box_lattice.h"
-#include "polygonize/position_cutter.h"
+#include "polygonize/slice_cutter.h"
 #include "polygonize/slice_tetra.h"
 #include "polygonize/write_slices.h"
 
@@ -134,8 +134,7 @@ struct Job
 class Looker
 {
 public:
-    Looker(const Job& job, const BoxLattice& lattice, Part& part)
-        : job_(job), lattice_(lattice), part_(part), positionCutter_(lattice)
+    Looker(const Job& job, const BoxLattice& lattice, Part& part) : job_(job), lattice_(lattice), part_(part)
     {
     }
 
@@ -260,10 +259,14 @@ private:
     {
         item.firstAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
         const PlaneFamily planes = job_.planesOf(tetra);
-        if (job_.tetras.valuesPerVertex == 3 && job_.tetras.voxelColumn <= 0)
-            cutPositions(places, planes, item);
-        else
-            cutRecords(tetra, planes, item);
+        switch (job_.tetras.valuesPerVertex) {
+        case 3: cutWith<3>(tetra, places, planes, item); break;
+        case 6: cutWith<6>(tetra, places, planes, item); break;
+        case 7: cutWith<7>(tetra, places, planes, item); break;
+        case 9: cutWith<9>(tetra, places, planes, item); break;
+        case 10: cutWith<10>(tetra, places, planes, item); break;
+        default: cutRecords(tetra, planes, item); break;
+        }
         item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
         for (const AsidePolygon& polygon :
              std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
@@ -273,12 +276,21 @@ private:
         }
     }
 
-    void cutPositions(const std::array<const VertexPlace*, 4>& places, const PlaneFamily& planes,
-                      const Item& item)
+    template <int kValues>
+    void cutWith(std::size_t number, const std::array<const VertexPlace*, 4>& places,
+                 const PlaneFamily& planes, const Item& item)
     {
-        TetraInBoxes tetra{{}, {}, item.firstInFront, item.mirrored, {}};
+        const int column = job_.tetras.voxelColumn;
+        TetraInBoxes<kValues> tetra{{},
+                                    static_cast<std::size_t>(column < 0 ? kValues - 3 : column),
+                                    {},
+                                    item.firstInFront,
+                                    item.mirrored,
+                                    {}};
         for (std::size_t i = 0; i < 4; ++i) {
-            tetra.corners[i] = places[i]->at.position;
+            const float* source = job_.corner(number, item.order[i]);
+            for (std::size_t value = 0; value < kValues; ++value)
+                tetra.corners[i][value] = static_cast<double>(source[value]) + 0.0; // -0 and 0 are one place
             tetra.offsets[i] = places[i]->at.offset;
         }
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -287,7 +299,7 @@ private:
                 places, [&](const VertexPlace* place) { return place->interval[axis] == interval; });
             tetra.interval[axis] = same ? interval : BoxLattice::kNearFace;
         }
-        positionCutter_.cut(tetra, planes, part_.aside);
+        SliceCutter<kValues>(lattice_).cut(tetra, planes, part_.aside);
     }
 
     /// Slices it plane by plane and lets the boxes cut the slices.
@@ -327,7 +339,6 @@ private:
     const Job& job_;
     const BoxLattice& lattice_;
     Part& part_;
-    PositionCutter positionCutter_;
     BoxLattice::Cell cell_{-1, -1, -1}; ///< the last one asked for
     std::size_t boxesInCell_ = 0;
     int box_ = -1;

@@ -203,6 +203,23 @@ TEST(StackSlicer, bricksCutVoxelCoordinatesWhereRecordsHaveThem)
                                request, slicer);
 }
 
+TEST(StackSlicer, recordsOfEverySizeAreThoseOfPolygonize)
+{
+    vo::StackSlicer slicer;
+    vo::SamplingRequest request = everyVoxel();
+    const vo::Camera view = camera(kSize, gl_matrices::rotate(33, {1, 2, 0}), true);
+    for (const TetraSet& set : {cube(kSize), jitteredLattice(3, -6.0, kSize + 6.0, 0.12, 7)})
+        for (const int more : {0, 1, 3, 4, 6, 7}) {
+            SCOPED_TRACE(testing::Message() << more << " values more");
+            request.period = glm::dvec3(1.0);
+            expectPolygonsOfPolygonize(set.withValues(more), bricks(2, kSize), view, request, slicer);
+            request.period = glm::dvec3(1 / kSize);
+            const std::vector<float> before(static_cast<std::size_t>(more), 0.5f);
+            expectPolygonsOfPolygonize(set.withVoxels(turnedIntoUnitCube, before), bricks(3, kSize),
+                                       camera(1, gl_matrices::rotate(33, {1, 2, 0}), true), request, slicer);
+        }
+}
+
 TEST(StackSlicer, threadsAndPartsChangeNothing)
 {
     const TetraSet set = jitteredLattice(12, 1, kSize - 1, 0.1, 9); // parts enough for several threads

@@ -1,4 +1,4 @@
-#include "polygonize/position_cutter.h"
+#include "polygonize/slice_cutter.h"
 
 #include "polygonize/tetra_sections.h"
 
@@ -10,57 +10,99 @@ namespace vo {
 
 namespace {
 
-using Position = std::array<double, 3>;
-
 /// Rounding leads a slice's vertices out of its tetrahedron by less than this and the distance at which faces
 /// draw them.
 constexpr double kMargin = 2 * BoxLattice::kSnapDistance;
 constexpr std::size_t kFewFaces = 8;
 
+template <std::size_t kValues>
+bool samePosition(const std::array<double, kValues>& a, const std::array<double, kValues>& b)
+{
+    return a[kValues - 3] == b[kValues - 3] && a[kValues - 2] == b[kValues - 2] &&
+           a[kValues - 1] == b[kValues - 1];
+}
+
+/// By position, then by the rest.
+template <std::size_t kValues>
+bool comesBefore(const std::array<double, kValues>& a, const std::array<double, kValues>& b)
+{
+    for (std::size_t i = kValues - 3; i < kValues; ++i)
+        if (a[i] != b[i]) return a[i] < b[i];
+    return std::lexicographical_compare(a.begin(), a.end() - 3, b.begin(), b.end() - 3);
+}
+
 /// cutEdge for ends in order.
-Position pointBetween(const Position& from, const Position& to, double fromDistance, double toDistance)
+template <std::size_t kValues>
+std::array<double, kValues> pointBetween(const std::array<double, kValues>& from,
+                                         const std::array<double, kValues>& to, double fromDistance,
+                                         double toDistance)
 {
     const double s = fromDistance / (fromDistance - toDistance);
+    if (s == 0.0) return from;
     if (s == 1.0) return to;
-    return {from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1]),
-            from[2] + s * (to[2] - from[2])};
-}
-
-/// Where an edge meets a plane across an axis, if it does.
-template <class Polygon>
-void meet(const Position& from, const Position& to, std::size_t axis, double plane, Polygon& out)
-{
-    const double a = from[axis] - plane, b = to[axis] - plane;
-    if (!((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))) return;
-    Position point = to < from ? pointBetween(to, from, b, a) : pointBetween(from, to, a, b);
-    point[axis] = plane;
-    out.push(point);
-}
-
-/// clipToSlab, but for vertices that repeat.
-template <class Polygon>
-void clip(const Polygon& polygon, std::size_t axis, double lower, double upper, Polygon& out)
-{
-    out.count = 0;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Position &from = polygon.at[i], &to = polygon.at[i + 1 < polygon.count ? i + 1 : 0];
-        const double a = from[axis], b = to[axis];
-        if (a >= lower && a <= upper) out.push(from);
-        if (a < b) {
-            meet(from, to, axis, lower, out);
-            meet(from, to, axis, upper, out);
-        } else if (b < a) {
-            meet(from, to, axis, upper, out);
-            meet(from, to, axis, lower, out);
-        }
-    }
+    std::array<double, kValues> point;
+    for (std::size_t i = 0; i < kValues; ++i)
+        point[i] = from[i] + s * (to[i] - from[i]);
+    return point;
 }
 
 } // namespace
 
-bool PositionCutter::cut(const TetraInBoxes& tetra, const PlaneFamily& planes, FaceSink& sink)
+/// Bare positions may repeat until they are rounded: nothing else tells vertices apart.
+template <int kValues>
+void SliceCutter<kValues>::Polygon::push(const Record& record)
+{
+    if (kValues > 3 && count > 0 && samePosition(record, at[count - 1])) return;
+    at[count++] = record;
+}
+
+template <int kValues>
+void SliceCutter<kValues>::Polygon::close()
+{
+    if (kValues == 3) return;
+    while (count > 1 && samePosition(at[count - 1], at[0]))
+        --count;
+}
+
+/// Where an edge meets a plane across an axis, if it does.
+template <int kValues>
+void SliceCutter<kValues>::meet(const Record& from, const Record& to, std::size_t column, double plane,
+                                Polygon& out) const
+{
+    const double a = from[column] - plane, b = to[column] - plane;
+    if (!((a < 0.0 && b > 0.0) || (a > 0.0 && b < 0.0))) return;
+    Record point = comesBefore(to, from) ? pointBetween(to, from, b, a) : pointBetween(from, to, a, b);
+    point[column] = plane;
+    out.push(point);
+}
+
+/// clipToSlab.
+template <int kValues>
+void SliceCutter<kValues>::clip(const Polygon& polygon, std::size_t axis, double lower, double upper,
+                                Polygon& out) const
+{
+    const std::size_t column = voxelColumn_ + axis;
+    out.count = 0;
+    for (std::size_t i = 0; i < polygon.count; ++i) {
+        const Record &from = polygon.at[i], &to = polygon.at[i + 1 < polygon.count ? i + 1 : 0];
+        const double a = from[column], b = to[column];
+        if (a >= lower && a <= upper) out.push(from);
+        if (a < b) {
+            meet(from, to, column, lower, out);
+            meet(from, to, column, upper, out);
+        } else if (b < a) {
+            meet(from, to, column, upper, out);
+            meet(from, to, column, lower, out);
+        }
+    }
+    out.close();
+}
+
+template <int kValues>
+bool SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, FaceSink& sink)
 {
     sink_ = &sink;
+    voxelColumn_ = kValues == 3 ? 0 : tetra.voxelColumn;
     for (int axis = 0; axis < 3; ++axis)
         findNear(tetra, axis);
     const auto [begin, end] = std::ranges::minmax(tetra.firstInFront);
@@ -69,12 +111,13 @@ bool PositionCutter::cut(const TetraInBoxes& tetra, const PlaneFamily& planes, F
         for (unsigned corner = 0; corner < 4; ++corner)
             mask |= (tetra.firstInFront[corner] <= sample_ ? 1u : 0u) << corner;
         slice(tetra, planes.offset(sample_), mask);
-        if (!cutAlong(0, polygons_[3])) return false;
+        if (polygons_[3].count > 2 && !cutAlong(0, polygons_[3])) return false;
     }
     return true;
 }
 
-void PositionCutter::findNear(const TetraInBoxes& tetra, int axis)
+template <int kValues>
+void SliceCutter<kValues>::findNear(const TetraInBoxes<kValues>& tetra, int axis)
 {
     const auto a = static_cast<std::size_t>(axis);
     Near& near = near_[a];
@@ -84,8 +127,8 @@ void PositionCutter::findNear(const TetraInBoxes& tetra, int axis)
         inUpperFace_[a] = false;
         return;
     }
-    const auto [low, high] =
-        std::minmax({tetra.corners[0][a], tetra.corners[1][a], tetra.corners[2][a], tetra.corners[3][a]});
+    const auto at = [&](std::size_t corner) { return tetra.corners[corner][voxelColumn_ + a]; };
+    const auto [low, high] = std::minmax({at(0), at(1), at(2), at(3)});
     const auto faces = lattice_.faces(axis);
     const auto first = std::ranges::lower_bound(faces, low - kMargin);
     near.faces = {first, std::upper_bound(first, faces.end(), high + kMargin)};
@@ -100,7 +143,8 @@ void PositionCutter::findNear(const TetraInBoxes& tetra, int axis)
         ++near.endInterval;
 }
 
-double PositionCutter::snapped(const Near& near, double coordinate) const
+template <int kValues>
+double SliceCutter<kValues>::snapped(const Near& near, double coordinate) const
 {
     double nearest = coordinate, distance = BoxLattice::kSnapDistance;
     for (const double face : near.faces) {
@@ -111,7 +155,8 @@ double PositionCutter::snapped(const Near& near, double coordinate) const
     return nearest;
 }
 
-void PositionCutter::slice(const TetraInBoxes& tetra, double offset, unsigned mask)
+template <int kValues>
+void SliceCutter<kValues>::slice(const TetraInBoxes<kValues>& tetra, double offset, unsigned mask)
 {
     Polygon& polygon = polygons_[3];
     polygon.count = 0;
@@ -122,11 +167,12 @@ void PositionCutter::slice(const TetraInBoxes& tetra, double offset, unsigned ma
         polygon.push(pointBetween(tetra.corners[from], tetra.corners[to], tetra.offsets[from] - offset,
                                   tetra.offsets[to] - offset));
     }
+    polygon.close();
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Near& near = near_[axis];
         if (!near.cuts) continue;
         for (std::size_t i = 0; i < polygon.count; ++i) {
-            double& coordinate = polygon.at[i][axis];
+            double& coordinate = polygon.at[i][voxelColumn_ + axis];
             coordinate = near.faces.size() <= kFewFaces
                              ? snapped(near, coordinate)
                              : lattice_.snapped(static_cast<int>(axis), coordinate);
@@ -135,15 +181,17 @@ void PositionCutter::slice(const TetraInBoxes& tetra, double offset, unsigned ma
 }
 
 /// Cuts the polygon to each interval of an axis that it meets, and what is left along the next axis.
-bool PositionCutter::cutAlong(std::size_t axis, const Polygon& polygon)
+template <int kValues>
+bool SliceCutter<kValues>::cutAlong(std::size_t axis, const Polygon& polygon)
 {
     if (axis == 3) return emitTo(polygon);
     const Near& near = near_[axis];
     if (!near.cuts) return cutAlong(axis + 1, polygon);
-    double low = polygon.at[0][axis], high = low;
+    const std::size_t column = voxelColumn_ + axis;
+    double low = polygon.at[0][column], high = low;
     for (std::size_t i = 1; i < polygon.count; ++i) {
-        low = std::min(low, polygon.at[i][axis]);
-        high = std::max(high, polygon.at[i][axis]);
+        low = std::min(low, polygon.at[i][column]);
+        high = std::max(high, polygon.at[i][column]);
     }
     const auto intervals = lattice_.intervals(static_cast<int>(axis));
     Polygon& cut = polygons_[axis];
@@ -160,26 +208,34 @@ bool PositionCutter::cutAlong(std::size_t axis, const Polygon& polygon)
 }
 
 /// In single precision, without the vertices that fall on the one before.
-bool PositionCutter::emitTo(const Polygon& polygon)
+template <int kValues>
+bool SliceCutter<kValues>::emitTo(const Polygon& polygon)
 {
     const auto boxes = lattice_.boxes(cell_);
     if (boxes.empty() || lattice_.belongsToNext(cell_, inUpperFace_)) return true;
     float* const first = face_.data();
     float* end = first;
     const auto same = [](const float* a, const float* b) {
-        return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+        return (a[kValues - 3] == b[kValues - 3]) & (a[kValues - 2] == b[kValues - 2]) &
+               (a[kValues - 1] == b[kValues - 1]);
     };
     for (std::size_t i = 0; i < polygon.count; ++i) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            end[axis] = static_cast<float>(polygon.at[i][axis]);
-        if (end == first || !same(end, end - 3)) end += 3;
+        for (std::size_t value = 0; value < kValues; ++value)
+            end[value] = static_cast<float>(polygon.at[i][value]);
+        if (end == first || !same(end, end - kValues)) end += kValues;
     }
-    while (end - first > 3 && same(end - 3, first))
-        end -= 3;
-    if (end - first < 9) return true;
+    while (end - first > kValues && same(end - kValues, first))
+        end -= kValues;
+    if (end - first < 3 * kValues) return true;
     for (const auto& [cell, box] : boxes)
         if (!sink_->append(box, sample_, {first, end})) return false;
     return true;
 }
+
+template class SliceCutter<3>;
+template class SliceCutter<6>;
+template class SliceCutter<7>;
+template class SliceCutter<9>;
+template class SliceCutter<10>;
 
 } // namespace vo
