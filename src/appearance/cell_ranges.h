@@ -11,7 +11,7 @@
 namespace vo {
 
 /// A volume is cut into cubic cells of so many voxels: cell c spans [c, c + 1] * kCellSide on each axis.
-inline constexpr int kCellSide = 8;
+inline constexpr int kCellSide = 4;
 
 /// The lowest and the highest value that samples inside a cell can read; low > high: none.
 struct ValueRange

@@ -42,8 +42,9 @@ void spreadAlong(std::uint8_t* row, int count)
         row[x] = static_cast<std::uint8_t>(std::min<int>(row[x], row[x + 1] + 1));
 }
 
-/// Two passes over all blocks, each taking the half of the neighbours that it has passed.
-void findDistances(const glm::ivec3& count, std::uint8_t* distance)
+} // namespace
+
+void findBlockDistances(const glm::ivec3& count, std::uint8_t* distance)
 {
     const auto row = [&](int y, int z) {
         return distance + (static_cast<std::size_t>(z) * static_cast<std::size_t>(count.y) +
@@ -57,6 +58,7 @@ void findDistances(const glm::ivec3& count, std::uint8_t* distance)
         if (y + way >= 0 && y + way < count.y) spread(row(y + way, z), row(y, z), count.x);
         spreadAlong(row(y, z), count.x);
     };
+    // Two passes over all blocks, each taking the half of the neighbours that it has passed.
     for (int z = 0; z < count.z; ++z)
         for (int y = 0; y < count.y; ++y)
             take(y, z, -1);
@@ -64,8 +66,6 @@ void findDistances(const glm::ivec3& count, std::uint8_t* distance)
         for (int y = count.y - 1; y >= 0; --y)
             take(y, z, 1);
 }
-
-} // namespace
 
 void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlending blending,
                      EmptyBlocks& blocks)
@@ -78,7 +78,7 @@ void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlendin
         if (addsNothing(ranges.data() + i * static_cast<std::size_t>(2 * channels), channels, plan, blending,
                         grid.view().rawUnit))
             blocks.distance[i] = EmptyBlocks::kFarthest;
-    findDistances(grid.blockCount(), blocks.distance.data());
+    findBlockDistances(grid.blockCount(), blocks.distance.data());
 }
 
 } // namespace vo

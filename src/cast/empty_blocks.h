@@ -3,6 +3,8 @@
 #include "cast/shading_plan.h"
 #include "cast/voxel_grid.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +18,10 @@ struct EmptyBlocks
     static constexpr int kFarthest = 31;
     std::vector<std::uint8_t> distance;
 };
+
+/// Of `count` blocks, x fastest, those that are 0 stay so; others become their distance to the next that is,
+/// at most what they are.
+void findBlockDistances(const glm::ivec3& count, std::uint8_t* distance);
 
 /// Blocks of which every sample adds exactly nothing in this blending (over, sum, alphaSum). Into memory that
 /// is kept.

@@ -3,7 +3,6 @@
 #include "draw/programs.h"
 #include "draw/scoped_state.h"
 
-#include <array>
 #include <cstddef>
 
 namespace vo {
@@ -75,54 +74,29 @@ void sendPixels(const GladGLContext& gl, PictureTexture& texture, GLint internal
 class ScopedPictureState
 {
 public:
-    explicit ScopedPictureState(const GladGLContext& gl) : gl_(gl), depthTest_(gl.IsEnabled(GL_DEPTH_TEST))
+    explicit ScopedPictureState(const GladGLContext& gl)
+        : gl_(gl), clipping_(gl), depthTest_(gl.IsEnabled(GL_DEPTH_TEST))
     {
         gl.GetIntegerv(GL_ACTIVE_TEXTURE, &unit_);
         gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
-        for (GLenum i = 0; i < clipped_.size(); ++i) {
-            clipped_[i] = gl.IsEnabled(GL_CLIP_DISTANCE0 + i);
-            if (clipped_[i]) gl.Disable(GL_CLIP_DISTANCE0 + i);
-        }
         if (depthTest_) gl.Disable(GL_DEPTH_TEST);
-        constexpr GLenum names[4] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
-                                     GL_BLEND_DST_ALPHA};
-        for (std::size_t i = 0; i < 4; ++i) {
-            GLint factor = 0;
-            gl.GetIntegerv(names[i], &factor);
-            factors_[i] = static_cast<GLenum>(factor);
-        }
     }
     ~ScopedPictureState()
     {
         gl_.ActiveTexture(static_cast<GLenum>(unit_));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture_));
-        gl_.BlendFuncSeparate(factors_[0], factors_[1], factors_[2], factors_[3]);
         if (depthTest_) gl_.Enable(GL_DEPTH_TEST);
-        for (GLenum i = 0; i < clipped_.size(); ++i)
-            if (clipped_[i]) gl_.Enable(GL_CLIP_DISTANCE0 + i);
     }
     ScopedPictureState(const ScopedPictureState&) = delete;
     ScopedPictureState& operator=(const ScopedPictureState&) = delete;
 
 private:
     const GladGLContext& gl_;
+    ScopedUnclipped clipping_;
     GLboolean depthTest_;
     GLint unit_ = 0;
     GLint texture_ = 0;
-    std::array<GLboolean, 8> clipped_{};
-    std::array<GLenum, 4> factors_{};
 };
-
-int alphaSource(const Blending& blending)
-{
-    if (!hidesBehind(blending.color)) return 0;
-    switch (blending.alpha) {
-    case AlphaRule::squared: return 1;
-    case AlphaRule::opacity: return 2;
-    case AlphaRule::kept: return 3;
-    }
-    return 1;
-}
 
 void setUniforms(const GladGLContext& gl, const PictureProgram& program, const DrawState& draw,
                  const CompositingState& state, const CastPicture& picture)
@@ -163,8 +137,7 @@ void compositePicture(ContextRecord& context, const DrawState& draw, const Compo
     setUniforms(gl, program, draw, state, picture);
     if (context.pictureVertexArray == 0) gl.GenVertexArrays(1, &context.pictureVertexArray);
     gl.BindVertexArray(context.pictureVertexArray);
-    if (hidesBehind(state.blending.color)) gl.BlendFunc(GL_ONE, GL_SRC1_COLOR);
-    if (state.blending.color == CastBlending::alphaSum) gl.BlendFunc(GL_ONE, GL_ONE);
+    const ScopedJoinedBlending blending(gl, state.blending);
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 

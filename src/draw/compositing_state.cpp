@@ -200,6 +200,31 @@ bool clearFragmentsLeaveNoTrace(const ContextRecord& context)
            obstacleInPolygons(context).empty();
 }
 
+int alphaSource(const Blending& blending)
+{
+    if (!hidesBehind(blending.color)) return 0;
+    switch (blending.alpha) {
+    case AlphaRule::squared: return 1;
+    case AlphaRule::opacity: return 2;
+    case AlphaRule::kept: return 3;
+    }
+    return 1;
+}
+
+ScopedJoinedBlending::ScopedJoinedBlending(const GladGLContext& gl, const Blending& blending) : gl_(gl)
+{
+    constexpr GLenum names[4] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA};
+    for (std::size_t i = 0; i < 4; ++i)
+        factors_[i] = static_cast<GLenum>(integer(gl, names[i]));
+    if (hidesBehind(blending.color)) gl.BlendFunc(GL_ONE, GL_SRC1_COLOR);
+    if (blending.color == CastBlending::alphaSum) gl.BlendFunc(GL_ONE, GL_ONE);
+}
+
+ScopedJoinedBlending::~ScopedJoinedBlending()
+{
+    gl_.BlendFuncSeparate(factors_[0], factors_[1], factors_[2], factors_[3]);
+}
+
 void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths)
 {
     const GladGLContext& gl = context.gl;

@@ -4,6 +4,7 @@
 #include "draw/context_record.h"
 #include "draw/draw_state.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,25 @@ struct Blending
 {
     CastBlending color = CastBlending::over;
     AlphaRule alpha = AlphaRule::squared;
+};
+
+/// Where the alpha of joined fragments is from, 0: that of the fragments as they add up; with over 1: what
+/// GL_SRC_ALPHA leaves; 2: the part of the background that they hide; 3: the framebuffer's stays.
+int alphaSource(const Blending& blending);
+
+/// Blends joined fragments as `blending` does single ones, while the scope lasts. With over, a shader gives
+/// what shows through as its second colour (index 1).
+class ScopedJoinedBlending
+{
+public:
+    ScopedJoinedBlending(const GladGLContext& gl, const Blending& blending);
+    ~ScopedJoinedBlending();
+    ScopedJoinedBlending(const ScopedJoinedBlending&) = delete;
+    ScopedJoinedBlending& operator=(const ScopedJoinedBlending&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    std::array<GLenum, 4> factors_{};
 };
 
 /// The caller's blend state if it is one of those in which fragments can be joined before they are drawn: of

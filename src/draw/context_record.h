@@ -77,6 +77,30 @@ struct Program
     GLint table = -1;
 };
 
+/// The program that takes all samples of a pixel at once, and where its uniforms are.
+struct MarchProgram
+{
+    GLuint name = 0;
+    GLint rectangle = -1;
+    GLint middle = -1;
+    GLint last = -1;
+    GLint textureBase = -1;
+    GLint textureStep = -1;
+    GLint sampleBase = -1;
+    GLint sampleStep = -1;
+    GLint bounds = -1;
+    GLint boundCount = -1;
+    GLint upperBelongsElsewhere = -1;
+    GLint currentColor = -1;
+    GLint sampleGauge = -1;
+    GLint cellSide = -1;
+    GLint cellCount = -1;
+    GLint alphaFrom = -1;
+    GLint voxels = -1;
+    GLint table = -1;
+    GLint cells = -1;
+};
+
 /// The program that draws a finished picture.
 struct PictureProgram
 {
@@ -145,10 +169,14 @@ public:
     std::uint64_t tableTextureSerial = 0;
     std::uint64_t downloads = 0; ///< textures sent so far
 
+    std::map<unsigned, MarchProgram> marchPrograms; ///< by what march_samples.cpp makes of a variant
+    GLuint cellTexture = 0;                         ///< distances between cells
+    std::uint64_t cellTextureSerial = 0;
+
     PictureProgram pictureProgram;
     PictureTexture pictureColor;
     PictureTexture pictureAlpha;
-    GLuint pictureVertexArray = 0; ///< without attributes
+    GLuint pictureVertexArray = 0; ///< without attributes, for march_samples.cpp too
 
     CellRangeStore cellRanges; ///< of bricks, by texture id
     RayCaster rayCaster;

@@ -7,6 +7,63 @@
 
 namespace vo {
 
+// What becomes of a sample: the table, then the texture environment. The table is fetched and mixed here:
+// linear filtering of textures has 8 bits of weight on some hardware. Where it is as exact as floats are, the
+// driver's filter takes half the time.
+const char* const kShading = R"(
+#ifdef TEXTURED
+uniform SAMPLER voxels;
+#ifdef LOOKUP
+uniform sampler1D table;
+#ifdef LOOKUP_FILTERED
+vec4 lookup(vec4 sampled)
+{
+    float size = float(textureSize(table, 0));
+    vec4 place = sampled * ((size - 1.0) / size) + 0.5 / size;
+#ifdef LOOKUP_BY_RED
+    return textureLod(table, place.r, 0.0);
+#else
+    return vec4(textureLod(table, place.r, 0.0).r, textureLod(table, place.g, 0.0).g,
+                textureLod(table, place.b, 0.0).b, textureLod(table, place.a, 0.0).a);
+#endif
+}
+#else
+vec4 lookup(vec4 sampled)
+{
+    int last = textureSize(table, 0) - 1;
+    vec4 entry = clamp(sampled, 0.0, 1.0) * float(last);
+    ivec4 low = ivec4(entry);
+    ivec4 high = min(low + 1, last);
+    vec4 weight = entry - vec4(low);
+#ifdef LOOKUP_BY_RED
+    return mix(texelFetch(table, low.r, 0), texelFetch(table, high.r, 0), weight.r);
+#else
+    vec4 below = vec4(texelFetch(table, low.r, 0).r, texelFetch(table, low.g, 0).g,
+                      texelFetch(table, low.b, 0).b, texelFetch(table, low.a, 0).a);
+    vec4 above = vec4(texelFetch(table, high.r, 0).r, texelFetch(table, high.g, 0).g,
+                      texelFetch(table, high.b, 0).b, texelFetch(table, high.a, 0).a);
+    return mix(below, above, weight);
+#endif
+}
+#endif
+#endif
+
+vec4 shade(vec4 sampled, vec4 color)
+{
+#ifdef LOOKUP
+    sampled = lookup(sampled);
+#endif
+#if ENVIRONMENT == 0
+    return color * sampled;
+#elif ENVIRONMENT == 1
+    return sampled;
+#else
+    return vec4(sampled.rgb, color.a);
+#endif
+}
+#endif
+)";
+
 namespace {
 
 // One text for both profiles, so that both give the same bytes; gl_ClipDistance works in both, with the
@@ -63,8 +120,6 @@ void main()
 }
 )";
 
-// The table is fetched and mixed here: linear filtering of textures has 8 bits of weight on some hardware.
-// Where it is as exact as floats are, the driver's filter takes half the time.
 constexpr const char* kFragmentShader = R"(
 INTERPOLATION in vec4 color;
 #ifdef OPACITY_PER_LENGTH
@@ -73,65 +128,17 @@ uniform mat3 sampleGauge;
 #endif
 #ifdef TEXTURED
 in vec4 texCoord;
-uniform SAMPLER voxels;
-#endif
-#ifdef LOOKUP
-uniform sampler1D table;
 #endif
 layout(location = 0) out vec4 fragment;
-
-#ifdef LOOKUP
-#ifdef LOOKUP_FILTERED
-vec4 lookup(vec4 sampled)
-{
-    float size = float(textureSize(table, 0));
-    vec4 place = sampled * ((size - 1.0) / size) + 0.5 / size;
-#ifdef LOOKUP_BY_RED
-    return texture(table, place.r);
-#else
-    return vec4(texture(table, place.r).r, texture(table, place.g).g, texture(table, place.b).b,
-                texture(table, place.a).a);
-#endif
-}
-#else
-vec4 lookup(vec4 sampled)
-{
-    int last = textureSize(table, 0) - 1;
-    vec4 entry = clamp(sampled, 0.0, 1.0) * float(last);
-    ivec4 low = ivec4(entry);
-    ivec4 high = min(low + 1, last);
-    vec4 weight = entry - vec4(low);
-#ifdef LOOKUP_BY_RED
-    return mix(texelFetch(table, low.r, 0), texelFetch(table, high.r, 0), weight.r);
-#else
-    vec4 below = vec4(texelFetch(table, low.r, 0).r, texelFetch(table, low.g, 0).g,
-                      texelFetch(table, low.b, 0).b, texelFetch(table, low.a, 0).a);
-    vec4 above = vec4(texelFetch(table, high.r, 0).r, texelFetch(table, high.g, 0).g,
-                      texelFetch(table, high.b, 0).b, texelFetch(table, high.a, 0).a);
-    return mix(below, above, weight);
-#endif
-}
-#endif
-#endif
 
 void main()
 {
     fragment = color;
 #ifdef TEXTURED
 #ifdef PROJECTIVE
-    vec4 sampled = texture(voxels, texCoord.COORDINATES / texCoord.q);
+    fragment = shade(texture(voxels, texCoord.COORDINATES / texCoord.q), color);
 #else
-    vec4 sampled = texture(voxels, texCoord.COORDINATES);
-#endif
-#ifdef LOOKUP
-    sampled = lookup(sampled);
-#endif
-#if ENVIRONMENT == 0
-    fragment *= sampled;
-#elif ENVIRONMENT == 1
-    fragment = sampled;
-#else
-    fragment.rgb = sampled.rgb;
+    fragment = shade(texture(voxels, texCoord.COORDINATES), color);
 #endif
 #endif
 #ifdef OPACITY_PER_LENGTH
@@ -140,28 +147,6 @@ void main()
 #endif
 }
 )";
-
-std::string preamble(const ProgramVariant& v)
-{
-    std::string text = "#version 330 core\n";
-    const auto define = [&text](const std::string& what) { text += "#define " + what + "\n"; };
-    if (v.texturing != Texturing::none) {
-        define("TEXTURED");
-        define(v.texturing == Texturing::threeDimensional ? "SAMPLER sampler3D" : "SAMPLER sampler2D");
-        define(v.texturing == Texturing::threeDimensional ? "COORDINATES stp" : "COORDINATES st");
-        if (v.texgen) define("TEXGEN");
-        if (v.projectiveTexture) define("PROJECTIVE");
-        define("ENVIRONMENT " + std::to_string(static_cast<int>(v.environment)));
-        if (v.lookup != Lookup::none) define("LOOKUP");
-        if (v.lookup == Lookup::byRed) define("LOOKUP_BY_RED");
-        if (v.filteredLookup) define("LOOKUP_FILTERED");
-    }
-    if (v.vertexColor) define("VERTEX_COLOR");
-    if (v.opacityPerLength) define("OPACITY_PER_LENGTH");
-    define(v.flat ? "INTERPOLATION flat" : "INTERPOLATION");
-    define("CLIP_DISTANCES " + std::to_string(v.clipDistances));
-    return text;
-}
 
 GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& source)
 {
@@ -182,9 +167,9 @@ GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& source)
 
 Program link(const GladGLContext& gl, const ProgramVariant& variant)
 {
-    const std::string head = preamble(variant);
+    const std::string definitions = programDefinitions(variant);
     Program program;
-    program.name = linkProgram(gl, head + kVertexShader, head + kFragmentShader);
+    program.name = linkProgram(gl, definitions + kVertexShader, definitions + kShading + kFragmentShader);
     const auto find = [&](const char* name) { return gl.GetUniformLocation(program.name, name); };
     program.clipFromObject = find("clipFromObject");
     program.eyeFromObject = find("eyeFromObject");
@@ -200,6 +185,28 @@ Program link(const GladGLContext& gl, const ProgramVariant& variant)
 }
 
 } // namespace
+
+std::string programDefinitions(const ProgramVariant& v)
+{
+    std::string text = "#version 330 core\n";
+    const auto define = [&text](const std::string& what) { text += "#define " + what + "\n"; };
+    if (v.texturing != Texturing::none) {
+        define("TEXTURED");
+        define(v.texturing == Texturing::threeDimensional ? "SAMPLER sampler3D" : "SAMPLER sampler2D");
+        define(v.texturing == Texturing::threeDimensional ? "COORDINATES stp" : "COORDINATES st");
+        if (v.texgen) define("TEXGEN");
+        if (v.projectiveTexture) define("PROJECTIVE");
+        define("ENVIRONMENT " + std::to_string(static_cast<int>(v.environment)));
+        if (v.lookup != Lookup::none) define("LOOKUP");
+        if (v.lookup == Lookup::byRed) define("LOOKUP_BY_RED");
+        if (v.filteredLookup) define("LOOKUP_FILTERED");
+    }
+    if (v.vertexColor) define("VERTEX_COLOR");
+    if (v.opacityPerLength) define("OPACITY_PER_LENGTH");
+    define(v.flat ? "INTERPOLATION flat" : "INTERPOLATION");
+    define("CLIP_DISTANCES " + std::to_string(v.clipDistances));
+    return text;
+}
 
 GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText)
 {

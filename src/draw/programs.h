@@ -33,6 +33,12 @@ struct ProgramVariant
 /// Vertex attributes of every program.
 enum AttributeLocation : GLuint { kPosition = 0, kColor = 1, kTexCoord = 2 };
 
+/// What the shaders of a variant begin with: #version, and its choices (TEXTURED, COORDINATES, ...).
+std::string programDefinitions(const ProgramVariant& variant);
+/// GLSL for fragment shaders that draw a texture: its uniforms `voxels` and `table`, and vec4 shade(vec4
+/// sampled, vec4 color), what becomes of a sample.
+extern const char* const kShading;
+
 /// A program of two shaders, whole texts with their #version. Throws std::runtime_error with the driver's
 /// words.
 GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText);

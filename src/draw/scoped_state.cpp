@@ -112,6 +112,20 @@ ScopedTextureBindings::~ScopedTextureBindings()
     gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound2d_));
 }
 
+ScopedUnclipped::ScopedUnclipped(const GladGLContext& gl) : gl_(gl)
+{
+    for (GLenum i = 0; i < clipped_.size(); ++i) {
+        clipped_[i] = gl_.IsEnabled(GL_CLIP_DISTANCE0 + i);
+        if (clipped_[i]) gl_.Disable(GL_CLIP_DISTANCE0 + i);
+    }
+}
+
+ScopedUnclipped::~ScopedUnclipped()
+{
+    for (GLenum i = 0; i < clipped_.size(); ++i)
+        if (clipped_[i]) gl_.Enable(GL_CLIP_DISTANCE0 + i);
+}
+
 ScopedPolygonMode::ScopedPolygonMode(const ContextRecord& context, GLenum mode)
     : context_(context), saved_{GL_FILL, GL_FILL}
 {

@@ -2,6 +2,8 @@
 
 #include "draw/context_record.h"
 
+#include <array>
+
 namespace vo {
 
 /// The caller's state that uploads touch, given back at the end of the scope: pixel store, pixel-unpack
@@ -74,6 +76,20 @@ private:
     const GladGLContext& gl_;
     GLint bound3d_ = 0;
     GLint bound2d_ = 0;
+};
+
+/// Without the caller's clip planes, while the scope lasts.
+class ScopedUnclipped
+{
+public:
+    explicit ScopedUnclipped(const GladGLContext& gl);
+    ~ScopedUnclipped();
+    ScopedUnclipped(const ScopedUnclipped&) = delete;
+    ScopedUnclipped& operator=(const ScopedUnclipped&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    std::array<GLboolean, 8> clipped_{};
 };
 
 /// Another polygon mode for front and back, while the scope lasts.

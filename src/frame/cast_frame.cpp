@@ -15,20 +15,6 @@ namespace vo {
 
 namespace {
 
-/// Fragments may have colours outside 0 to 1.
-bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw)
-{
-    for (int channel = 0; channel < 4; ++channel)
-        if (!(draw.color[channel] >= 0.0f && draw.color[channel] <= 1.0f)) return true;
-    if (request.layout.color >= 0) return true;
-    if (activeTable(context, TableKind::preInterpolation) ||
-        activeTable(context, TableKind::postInterpolation))
-        return false;
-    for (const FrameBrick& brick : request.bricks)
-        if (!clampsTexels(brick.image.format.type)) return true;
-    return false;
-}
-
 std::vector<CastBrick> castBricks(const ContextRecord& context, std::span<const FrameBrick> bricks)
 {
     const TableSlot* classified = activeTable(context, TableKind::preInterpolation);
@@ -108,6 +94,19 @@ void fill(ContextRecord& context, const FrameRequest& request, const Camera& cam
 }
 
 } // namespace
+
+bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw)
+{
+    for (int channel = 0; channel < 4; ++channel)
+        if (!(draw.color[channel] >= 0.0f && draw.color[channel] <= 1.0f)) return true;
+    if (request.layout.color >= 0) return true;
+    if (activeTable(context, TableKind::preInterpolation) ||
+        activeTable(context, TableKind::postInterpolation))
+        return false;
+    for (const FrameBrick& brick : request.bricks)
+        if (!clampsTexels(brick.image.format.type)) return true;
+    return false;
+}
 
 EngineChoice engineChoice(const ContextRecord& context)
 {

@@ -11,6 +11,9 @@ namespace vo {
 /// What the environment's VO_ENGINE says (slices or cast), else what the context was told.
 EngineChoice engineChoice(const ContextRecord& context);
 
+/// Fragments may have colours outside 0 to 1.
+bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw);
+
 /// Draws the frame with the CPU engine: the same samples as slices have, blended into the framebuffer as one
 /// picture. Returns an empty text, or why the frame has to be drawn as slices; nothing was drawn then.
 std::string drawCastFrame(ContextRecord& context, const FrameRequest& request, const DrawState& draw,

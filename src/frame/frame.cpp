@@ -6,6 +6,7 @@
 #include "draw/draw_state.h"
 #include "draw/scoped_state.h"
 #include "frame/cast_frame.h"
+#include "frame/march_frame.h"
 #include "polygonize/line_of_sight.h"
 #include "sort/brick_order.h"
 
@@ -153,23 +154,77 @@ FrameTriangles frameTriangles(ContextRecord& context, const FrameRequest& reques
     return triangles;
 }
 
+/// Binds a brick's texture, sent if need be.
+TextureResult loadBrick(ContextRecord& context, const FrameBrick& brick, PhaseClock& clock)
+{
+    clock.end(&FrameTimes::draw);
+    const std::uint64_t downloads = context.downloads;
+    const TextureResult bound = bindTexture(context, brick.image, false);
+    if (downloads != context.downloads) clock.finish();
+    clock.end(&FrameTimes::load);
+    return bound;
+}
+
 FrameResult drawBricks(ContextRecord& context, const FrameRequest& request, const FrameTriangles& triangles,
                        DrawState state, PhaseClock& clock)
 {
     const glm::mat4 callerTextureMatrix = state.textureMatrix;
     FaceStream stream(context, state, request.layout, triangles.records, triangles.indices, triangles.serial);
     for (const PolygonCache::Run& run : triangles.runs) {
-        const auto brick = static_cast<std::size_t>(run.brick);
-        clock.end(&FrameTimes::draw);
-        const std::uint64_t downloads = context.downloads;
-        const TextureResult bound = bindTexture(context, request.bricks[brick].image, false);
-        if (downloads != context.downloads) clock.finish();
-        clock.end(&FrameTimes::load);
+        const FrameBrick& brick = request.bricks[static_cast<std::size_t>(run.brick)];
+        const TextureResult bound = loadBrick(context, brick, clock);
         if (bound != TextureResult::ok) return toFrameResult(bound);
-        pointAtBrick(context, request.bricks[brick], request.layout, callerTextureMatrix, state);
+        pointAtBrick(context, brick, request.layout, callerTextureMatrix, state);
         stream.draw(state, run.first, run.count);
     }
     return FrameResult::ok;
+}
+
+FrameResult drawMarched(ContextRecord& context, const FrameRequest& request, const MarchedFrame& frame,
+                        DrawState state, PhaseClock& clock)
+{
+    SampleMarch march(context, state, frame.state, frame.ramps, frame.cells);
+    for (const MarchedFrame::Part& part : frame.parts) {
+        const FrameBrick& brick = request.bricks[static_cast<std::size_t>(part.brick)];
+        const TextureResult bound = loadBrick(context, brick, clock);
+        if (bound != TextureResult::ok) return toFrameResult(bound);
+        pointAtBrick(context, brick, request.layout, state.textureMatrix, state);
+        march.draw(state, part.place, part.pixels);
+    }
+    return FrameResult::ok;
+}
+
+/// Polygon by polygon.
+FrameResult drawSliced(ContextRecord& context, const FrameRequest& request, const Camera& camera,
+                       const DrawState& state, FrameCache& cache, PhaseClock& clock)
+{
+    FrameTriangles triangles = frameTriangles(context, request, camera, cache);
+    if (debugLevel() >= 2)
+        debug(2, std::string("frame: ") + (triangles.anew ? "new" : "kept") + " polygons, " +
+                     std::to_string(triangles.samples) + " samples, drawn as slices");
+    clock.end(&FrameTimes::polygonize);
+    if (!triangles.bricksInterleave) sortBackToFront(triangles.runs, request.clipBoxes, camera);
+    clock.end(&FrameTimes::sort);
+    DrawState samples = state;
+    if (context.state.unitLength > 0.0)
+        if (const auto gauge = sampleGauge(request.tetras, triangles.camera, request.sampling))
+            setOpacityPerLength(context, *gauge, samples);
+    return drawBricks(context, request, triangles, samples, clock);
+}
+
+FrameResult drawSlices(ContextRecord& context, const FrameRequest& request, const Camera& camera,
+                       const DrawState& state, FrameCache& cache, PhaseClock& clock)
+{
+    const ScopedTextureBindings bindings(context.gl);
+    const std::optional<MarchedFrame> marched = marchedFrame(context, request, state, camera, cache.leaping);
+    if (!marched) return drawSliced(context, request, camera, state, cache, clock);
+    debug(2, "frame: " + std::to_string(marched->ramps.count) + " samples, all of a pixel at once");
+    clock.end(&FrameTimes::polygonize);
+    DrawState samples = state;
+    if (context.state.unitLength > 0.0)
+        if (const auto gauge = sampleGauge(request.tetras, camera, request.sampling))
+            setOpacityPerLength(context, *gauge, samples);
+    return drawMarched(context, request, *marched, samples, clock);
 }
 
 void countFrame(ContextRecord& context, Engine engine)
@@ -213,21 +268,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
     tellWhySlices(context, whySlices);
     clock.end(&FrameTimes::draw);
 
-    FrameTriangles triangles = frameTriangles(context, request, *camera, cache);
-    if (debugLevel() >= 2)
-        debug(2, std::string("frame: ") + (triangles.anew ? "new" : "kept") + " polygons, " +
-                     std::to_string(triangles.samples) + " samples, drawn as slices");
-    clock.end(&FrameTimes::polygonize);
-    if (!triangles.bricksInterleave) sortBackToFront(triangles.runs, request.clipBoxes, *camera);
-    clock.end(&FrameTimes::sort);
-
-    DrawState samples = state;
-    if (context.state.unitLength > 0.0)
-        if (const auto gauge = sampleGauge(request.tetras, triangles.camera, request.sampling))
-            setOpacityPerLength(context, *gauge, samples);
-
-    const ScopedTextureBindings bindings(context.gl);
-    const FrameResult result = drawBricks(context, request, triangles, samples, clock);
+    const FrameResult result = drawSlices(context, request, *camera, state, cache, clock);
     if (result == FrameResult::ok) countFrame(context, Engine::slices);
     clock.finish();
     clock.end(&FrameTimes::draw);

@@ -1,5 +1,6 @@
 #include "frame/space_leaping.h"
 
+#include "cast/empty_blocks.h"
 #include "core/log.h"
 #include "core/serial.h"
 #include "frame/frame.h"
@@ -26,6 +27,8 @@ constexpr double kEdgeOnGraphicsCard = 0.5;
 constexpr double kLeastGain = 0.95;
 /// Frames without a gain after which it is tried again: the view may have turned.
 constexpr int kFramesToPass = 15;
+/// Polygons leave out blocks: smaller ones have more edges than they save.
+constexpr int kCellsPerBlock = 2;
 /// Larger sets of tetrahedra are not asked whether they fill a box: it takes too long.
 constexpr int kMostTetras = 4096;
 
@@ -96,6 +99,12 @@ std::shared_ptr<const CellRanges> keptRanges(CellRangeStore& store, const CellRa
     return ranges;
 }
 
+double occupiedPart(const OccupiedCells& cells)
+{
+    const auto occupied = std::accumulate(cells.occupied.begin(), cells.occupied.end(), std::size_t{0});
+    return static_cast<double>(occupied) / static_cast<double>(cells.occupied.size());
+}
+
 bool samePlanes(const PlaneFamily& a, const PlaneFamily& b)
 {
     return a.normal == b.normal && a.first == b.first && a.spacing == b.spacing && a.count == b.count;
@@ -107,12 +116,11 @@ const OccupiedSlices* SpaceLeaping::slices(ContextRecord& context, const FrameRe
                                            const Camera& camera)
 {
     kept_ = false;
-    const bool inPlace = request.layout.texCoord < 0 && request.layout.color < 0;
     const bool planar = request.sampling.mode != SamplingMode::spherical || !camera.perspective;
-    if (!inPlace || !planar || request.sampling.space == SamplingSpace::primitive ||
+    if (request.layout.color >= 0 || !planar || request.sampling.space == SamplingSpace::primitive ||
         request.threshold > 0.0 || request.bricks.empty())
         return nullptr;
-    if (!findDomain(request.tetras) || !findOccupied(context, request) || !pays_) return nullptr;
+    if (!domain(request) || !findOccupied(context, request) || !pays_) return nullptr;
 
     const PlaneFamily planes = samplingPlanes(request.tetras, camera, request.sampling);
     const auto sameBox = [](const Box& a, const Box& b) { return a.lower == b.lower && a.upper == b.upper; };
@@ -126,11 +134,33 @@ const OccupiedSlices* SpaceLeaping::slices(ContextRecord& context, const FrameRe
     planes_ = planes;
     serial_ = newSerial();
     keyBoxes_.assign(request.clipBoxes.begin(), request.clipBoxes.end());
-    sliced_ = slicer_.slice(*domain_, request.clipBoxes, cells_, planes, slices_);
+    sliced_ = slicer_.slice(*domain_, request.clipBoxes, blocks_, planes, slices_);
     if (sliced_ && costsLess(context)) return &slices_;
     sliced_ = false;
     framesToPass_ = kFramesToPass;
     return nullptr;
+}
+
+const Box* SpaceLeaping::domain(const FrameRequest& request)
+{
+    if (request.layout.texCoord >= 0 || !findDomain(request.tetras)) return nullptr;
+    return &*domain_;
+}
+
+const EmptyCells* SpaceLeaping::emptyCells(ContextRecord& context, const FrameRequest& request,
+                                           double mostOccupied)
+{
+    if (request.bricks.empty() || !findOccupied(context, request)) return nullptr;
+    if (occupiedPart(cells_) > mostOccupied) return nullptr;
+    if (empty_.serial != 0) return &empty_;
+    empty_.count = cells_.count;
+    empty_.distance.resize(cells_.occupied.size());
+    std::ranges::transform(cells_.occupied, empty_.distance.begin(), [](std::uint8_t occupied) {
+        return static_cast<std::uint8_t>(occupied ? 0 : EmptyCells::kFarthest);
+    });
+    findBlockDistances({empty_.count.x, empty_.count.y, empty_.count.z}, empty_.distance.data());
+    empty_.serial = newSerial();
+    return &empty_;
 }
 
 bool SpaceLeaping::costsLess(const ContextRecord& context) const
@@ -219,8 +249,28 @@ void SpaceLeaping::markOccupied(const VisibleValues& visible)
                     row[x] |= visible.any(r.ranges[number].low, r.ranges[number].high);
             }
     }
-    const auto occupied = std::accumulate(cells_.occupied.begin(), cells_.occupied.end(), std::size_t{0});
-    pays_ = static_cast<double>(occupied) <= kMostOccupied * static_cast<double>(cells_.occupied.size());
+    joinCells();
+    empty_.serial = 0;
+    pays_ = occupiedPart(blocks_) <= kMostOccupied;
+}
+
+/// A block is occupied where one of its cells is.
+void SpaceLeaping::joinCells()
+{
+    const auto blocks = [](int cells) { return (cells + kCellsPerBlock - 1) / kCellsPerBlock; };
+    blocks_.side = kCellsPerBlock * cells_.side;
+    blocks_.count = {blocks(cells_.count.x), blocks(cells_.count.y), blocks(cells_.count.z)};
+    blocks_.occupied.assign(blocks_.count.count(), 0);
+    const std::uint8_t* cell = cells_.occupied.data();
+    for (int z = 0; z < cells_.count.z; ++z)
+        for (int y = 0; y < cells_.count.y; ++y) {
+            std::uint8_t* row = blocks_.occupied.data() + (static_cast<std::size_t>(z / kCellsPerBlock) *
+                                                               static_cast<std::size_t>(blocks_.count.y) +
+                                                           static_cast<std::size_t>(y / kCellsPerBlock)) *
+                                                              static_cast<std::size_t>(blocks_.count.x);
+            for (int x = 0; x < cells_.count.x; ++x)
+                row[x / kCellsPerBlock] |= *cell++;
+        }
 }
 
 } // namespace vo

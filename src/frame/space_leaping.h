@@ -17,6 +17,16 @@ namespace vo {
 
 struct FrameRequest;
 
+/// How far it is from each cell of a volume, kCellSide voxels wide, to the next in which something may be
+/// seen.
+struct EmptyCells
+{
+    static constexpr int kFarthest = 31;
+    VoxelSize count;
+    std::vector<std::uint8_t> distance; ///< in cells along the axis that is farthest, 0: in it; x fastest
+    std::uint64_t serial = 0;           ///< others have another
+};
+
 /// Leaves out of a frame what cannot be seen: cells of the volume in which every sample has an opacity of
 /// exactly 0 under the active table. Keeps the slices while nothing changes; the ranges of voxels are in the
 /// context's store.
@@ -27,6 +37,12 @@ public:
     /// in its place, or not a box; the texture has opacity everywhere) or are nearly all of them. Only for
     /// states in which a fragment without opacity changes nothing.
     const OccupiedSlices* slices(ContextRecord& context, const FrameRequest& request, const Camera& camera);
+
+    /// The box that the tetrahedra fill; nullptr when they fill none, or not in the volume's place.
+    const Box* domain(const FrameRequest& request);
+    /// nullptr when that cannot be told, or more than a part `mostOccupied` of the cells has something. Only
+    /// for states in which a fragment without opacity changes nothing.
+    const EmptyCells* emptyCells(ContextRecord& context, const FrameRequest& request, double mostOccupied);
 
     void invalidate() { sliced_ = false; }
     /// Whether the last slices are those of the frame before.
@@ -47,6 +63,7 @@ private:
     bool findRanges(CellRangeStore& store, const FrameRequest& request, VoxelComponent component);
     bool findOccupied(ContextRecord& context, const FrameRequest& request);
     void markOccupied(const VisibleValues& visible);
+    void joinCells();
 
     std::vector<float> keyRecords_;
     std::vector<int> keyIndices_;
@@ -55,7 +72,9 @@ private:
     std::vector<KnownBrick> bricks_;
     bool rangesChanged_ = false;
     std::uint64_t keyTables_[2] = {0, 0};
-    OccupiedCells cells_;
+    OccupiedCells cells_;  ///< kCellSide wide
+    OccupiedCells blocks_; ///< of kCellsPerBlock cells a side
+    EmptyCells empty_;     ///< serial 0: not those of cells_
     bool pays_ = false;
     int framesToPass_ = 0; ///< before it is tried again whether less is drawn
 

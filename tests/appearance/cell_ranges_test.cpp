@@ -63,15 +63,15 @@ void expectRanges(std::span<const std::byte> voxels, VoxelFormat format, vo::Vox
     std::vector<float> rgba(4 * kSize.count());
     vo::decodeVoxels(voxels, format, kSize.count(), rgba.data());
     const vo::CellRanges cells = vo::cellRanges(voxels, format, kSize, kOrigin, component);
-    EXPECT_EQ(cells.first, (VoxelOrigin{0, 1, 1}));
-    ASSERT_EQ(cells.count, (VoxelSize{4, 2, 3}));
-    ASSERT_EQ(cells.ranges.size(), 24u);
-    for (int z = 0; z < 3; ++z)
-        for (int y = 0; y < 2; ++y)
-            for (int x = 0; x < 4; ++x) {
+    EXPECT_EQ(cells.first, (VoxelOrigin{1, 2, 3}));
+    ASSERT_EQ(cells.count, (VoxelSize{6, 3, 5}));
+    ASSERT_EQ(cells.ranges.size(), 90u);
+    for (int z = 0; z < 5; ++z)
+        for (int y = 0; y < 3; ++y)
+            for (int x = 0; x < 6; ++x) {
                 const vo::ValueRange expected =
-                    rangeOf(rgba, {x, 1 + y, 1 + z}, static_cast<std::size_t>(component));
-                const vo::ValueRange& found = cells.ranges[static_cast<std::size_t>((z * 2 + y) * 4 + x)];
+                    rangeOf(rgba, {1 + x, 2 + y, 3 + z}, static_cast<std::size_t>(component));
+                const vo::ValueRange& found = cells.ranges[static_cast<std::size_t>((z * 3 + y) * 6 + x)];
                 EXPECT_EQ(found.low, expected.low) << x << " " << y << " " << z;
                 EXPECT_EQ(found.high, expected.high) << x << " " << y << " " << z;
             }

@@ -74,7 +74,8 @@ public:
     BareSlices(const bench::FrameOptions& options, bench::VolumizerFrames& frames)
         : gl_(frames.gl()), frames_(frames)
     {
-        frames.draw(0.0);
+        // Where fragments are counted, they are drawn slice by slice.
+        frames.countFragments([&] { frames.draw(0.0); });
         takeProgram();
         const std::vector<float> positions = sliceTriangles(options.scene);
         count_ = static_cast<GLsizei>(positions.size() / 3);
