@@ -179,6 +179,20 @@ def readme_program(tree):
         yield f"README.md: no ```cpp block equals {source}"
 
 
+def vout_programs(tree):
+    """The programs of docs/vout.md are those that the tests compile and run, all of them."""
+    page, folder = "docs/vout.md", "tests/vout/programs/"
+    if not tree.has(page):
+        yield f"{page}: missing"
+        return
+    blocks = re.findall(r"^```cpp\n(.*?)^```", tree.text(page), re.M | re.S)
+    programs = {path: tree.text(path) for path in tree.code(folder)}
+    yield from (f"{page}: no ```cpp block equals {path}" for path, text in programs.items() if text not in blocks)
+    for block in blocks:
+        if block not in programs.values():
+            yield f"{page}: the block that begins '{block.splitlines()[0]}' is no file of {folder}"
+
+
 def links(tree):
     """Links between documents lead to files of the tree."""
     for path in [f for f in tree.files if f.endswith(".md")]:
@@ -207,7 +221,7 @@ def man_pages(tree):
 CHECKS = {
     check.__name__: check
     for check in (
-        include_order, face_home, vout_home, dependency_homes, file_sizes, telling_names, readme_program, links, man_pages)
+        include_order, face_home, vout_home, dependency_homes, file_sizes, telling_names, readme_program, vout_programs, links, man_pages)
 }
 
 

@@ -22,6 +22,8 @@ SOUND = {
     "demos/common/window.cpp": "#include <GLFW/glfw3.h>\nvoid f() { glfwInit(); glClear(0); }\n",
     "demos/common/offscreen/egl.cpp": "#include <EGL/egl.h>\nvoid f() { eglInitialize(); }\n",
     "vout/ball.cpp": '#include <CGAL/Triangulation_3.h>\n#include "legacy/report.h"\n#include "vout/cells.h"\n',
+    "tests/vout/programs/ball.cpp": PROGRAM,
+    "docs/vout.md": f"A program:\n```cpp\n{PROGRAM}```\n",
     "docs/man/mkcubes.1": ".TH MKCUBES 1\n.SH NAME\n.SH SYNOPSIS\n.SH DESCRIPTION\n",
     "docs/frames.md": "[up](../README.md#name) [out](https://example.org/)\n",
 }
@@ -57,6 +59,8 @@ FAULTS = [
     ("telling_names", "src/core/utils.h", "", "utils.h"),
     ("readme_program", "tests/install/smallest.cpp", PROGRAM + "\n", "no ```cpp block"),
     ("readme_program", "README.md", "# Name\n", "no ```cpp block"),
+    ("vout_programs", "tests/vout/programs/other.cpp", PROGRAM + "\n", "no ```cpp block"),
+    ("vout_programs", "docs/vout.md", f"```cpp\n{PROGRAM}```\n```cpp\nint i;\n```\n", "'int i;' is no file"),
     ("links", "docs/frames.md", "[gone](gone.md)\n", "docs/frames.md:1"),
     ("links", "README.md", f'```cpp\n{PROGRAM}```\n<img src="docs/none.png">\n', "docs/none.png"),
     ("man_pages", "docs/man/mkcubes.1", ".TH OTHER 1\n.SH NAME\n.SH SYNOPSIS\n.SH DESCRIPTION\n", ".TH mkcubes 1"),

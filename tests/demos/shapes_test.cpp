@@ -303,11 +303,27 @@ std::vector<std::array<glm::dvec3, 3>> geodesic(int level)
     return triangles;
 }
 
+/// The facets of slices round z and stacks along it, in triangles.
+std::vector<std::array<glm::dvec3, 3>> slicedSphere(int slices, int stacks)
+{
+    const auto at = [&](int slice, int stack) {
+        const double around = 2 * std::numbers::pi * slice / slices, up = std::numbers::pi * stack / stacks;
+        return glm::dvec3(std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), -std::cos(up));
+    };
+    std::vector<std::array<glm::dvec3, 3>> triangles;
+    for (int i = 0; i < slices; ++i)
+        for (int j = 0; j < stacks; ++j) {
+            if (j > 0) triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            if (j < stacks - 1) triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return triangles;
+}
+
 struct Ball
 {
     glm::dvec3 center;
     double radius;
-    int level;
+    std::vector<std::array<glm::dvec3, 3>> triangles; ///< of the unit sphere
     glm::dvec3 scale{1};
 };
 
@@ -315,7 +331,7 @@ struct Ball
 Picture ballOf(Scene scene, const Ball& ball)
 {
     const Scene volume = scene;
-    const auto triangles = geodesic(ball.level);
+    const auto& triangles = ball.triangles;
     for (const auto& [a, b, c] : triangles) {
         const auto place = [&](const glm::dvec3& p) { return ball.center + ball.radius * p / ball.scale; };
         scene.geometry.push_back({place(a), place(b), place(c), ball.center});
@@ -342,10 +358,12 @@ TEST_F(Shapes, sphereEqualsAMaskedVolume)
         double degrees;
     };
     for (const auto& [words, ball, degrees] :
-         {Case{"-level 1", {{12, 10, 8}, 8, 1}, 0}, Case{"-level 2 -core", {{12, 10, 8}, 8, 2}, 0},
-          Case{"-level 1 -radius 9 -center 20 6 4 -perspective 40", {{20, 6, 4}, 9, 1}, 40},
-          Case{"-level 0 -radius 13 -center 12 10 11 -bricks 2 2 2", {{12, 10, 11}, 13, 0}, 0},
-          Case{"-level 1 -radius 10 -scale 1 1 2", {{12, 10, 8}, 10, 1, {1, 1, 2}}, 0}})
+         {Case{"-level 1", {{12, 10, 8}, 8, geodesic(1)}, 0},
+          Case{"-level 2 -core", {{12, 10, 8}, 8, geodesic(2)}, 0},
+          Case{"-slices 7 5", {{12, 10, 8}, 8, slicedSphere(7, 5)}, 0},
+          Case{"-level 1 -radius 9 -center 20 6 4 -perspective 40", {{20, 6, 4}, 9, geodesic(1)}, 40},
+          Case{"-level 0 -radius 13 -center 12 10 11 -bricks 2 2 2", {{12, 10, 11}, 13, geodesic(0)}, 0},
+          Case{"-level 1 -radius 10 -scale 1 1 2", {{12, 10, 8}, 10, geodesic(1), {1, 1, 2}}, 0}})
         expectEqual(draw("voglSphere", kTable + words), ballOf(scene(ball.scale, degrees), ball), words);
 }
 
@@ -364,6 +382,8 @@ TEST_F(Shapes, sphereNamesBadOptions)
     expectOneLine("voglSphere", "soft.tif -radius 36", "-radius: expected at most 35.");
     expectOneLine("voglSphere", "soft.tif -radius 0", "-radius");
     expectOneLine("voglSphere", "soft.tif -level 6", "-level");
+    expectOneLine("voglSphere", "soft.tif -slices 2 5", "-slices");
+    expectOneLine("voglSphere", "soft.tif -slices 8 1", "-slices");
 }
 
 /// A mesh of 2 x 2 x 2 cells out of shape, with a colour at each vertex.

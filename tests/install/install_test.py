@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Installs a build into a new folder and builds the README's program against it the three ways that the README names:
 find_package, pkg-config and plain -lvo. One of them then runs in a window of a private display, and must show a ring.
+A program of docs/vout.md is built in the same three ways and runs.
 A program in the dialect of 2000 is built by the line that docs/porting.md prints, and by pkg-config, and reads a volume.
 
     install_test.py BUILD COMPILER [COMPILER-FLAG...]
@@ -62,6 +63,26 @@ def lines_of_the_porting_page():
     by_hand = re.search(r"^```sh\n(.*?)^```", text, re.M | re.S).group(1)
     by_pkg_config = re.search(r"With pkg-config: `([^`]+)`", text).group(1)
     return by_hand.replace("\\\n", " "), by_pkg_config.replace("\n", " ")
+
+
+def solids_three_ways(prefix, folder, compiler, flags):
+    """A program of docs/vout.md, linked by find_package, by pkg-config and by hand."""
+    program = os.path.join(ROOT, "tests", "vout", "programs", "ball.cpp")
+    run("cmake", "-S", os.path.join(HERE, "consumer", "solids"), "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}",
+        f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={' '.join(flags)}", f"-DPROGRAM={program}",
+        stdout=subprocess.DEVNULL)
+    run("cmake", "--build", folder, stdout=subprocess.DEVNULL)
+    environment = {**os.environ, "PKG_CONFIG_PATH": os.path.join(library_folder(prefix), "pkgconfig"),
+                   "LD_LIBRARY_PATH": library_folder(prefix)}
+    answer = run("pkg-config", "--cflags", "--libs", "volumizer-vout", stdout=subprocess.PIPE, env=environment).stdout
+    run(compiler, *flags, program, "-o", os.path.join(folder, "by_pkg_config"), *answer.split())
+    run(compiler, *flags, program, "-o", os.path.join(folder, "by_hand"), f"-I{prefix}/include",
+        f"-L{library_folder(prefix)}", "-lvout", "-lvo")
+    for name in ("ball", "by_pkg_config", "by_hand"):
+        loads_the_installed_library(os.path.join(folder, name), prefix)
+        printed = run(os.path.join(folder, name), env=environment, stdout=subprocess.PIPE).stdout
+        if printed != "1280 tetrahedra on 643 vertices\n":
+            raise AssertionError(f"{name} printed {printed!r}")
 
 
 def old_program_reads_a_volume(prefix, folder, compiler, flags):
@@ -159,6 +180,9 @@ def main():
             way(prefix, place, compiler, flags)
             programs.append(os.path.join(place, "smallest"))
             loads_the_installed_library(programs[-1], prefix)
+        place = os.path.join(folder, "solids")
+        os.mkdir(place)
+        solids_three_ways(prefix, place, compiler, flags)
         place = os.path.join(folder, "old")
         os.mkdir(place)
         old_program_reads_a_volume(prefix, place, compiler, flags)
