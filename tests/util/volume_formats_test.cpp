@@ -750,6 +750,26 @@ TEST_F(DicomFormats, framesAndColoursOfOneFileAreRead)
     EXPECT_TRUE(volume->description().alphaAdded);
 }
 
+/// GDCM hands zeros over for what a file lacks.
+TEST_F(DicomFormats, filesCutOffInThePixelsAreToldFromWholeOnes)
+{
+    writeSeries();
+    DicomFile dicom;
+    dicom.pixels.assign(40, 'x');
+    dicom.position = "1\\2\\-21"; // above the others
+    const std::string bytes = dicom.bytes();
+    const std::string name = series() + "/d";
+    for (const std::size_t missing : {1, 2, 39, 40}) {
+        file("series/d", bytes.substr(0, bytes.size() - missing));
+        const std::string found = "expected 40 bytes of pixels, found " + std::to_string(40 - missing);
+        expectSays(failureOfReading(name), {"d: cut off or damaged: ", found.c_str()});
+        expectSays(failureOfReading(series()), {"d: cut off or damaged: ", found.c_str()});
+    }
+    file("series/d", bytes);
+    EXPECT_TRUE(openVolume(name));
+    EXPECT_EQ(openVolume(series())->info().size[2], 4);
+}
+
 TEST_F(DicomFormats, badFilesAreToldInOneLineAndNothingIsPrinted)
 {
     writeSeries();

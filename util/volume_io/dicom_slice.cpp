@@ -243,6 +243,23 @@ Failure tooFewPixels(const DicomSlice& slice, std::size_t expected, std::size_t 
             " bytes of pixels, found " + std::to_string(found)};
 }
 
+std::uintmax_t bytesIn(const std::string& path)
+{
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    return error ? 0 : bytes;
+}
+
+/// Bytes of a file from the first of its pixels on, which GDCM, asked to pass over them, stops at.
+std::size_t bytesFromPixelsOn(const std::string& path)
+{
+    gdcm::Reader reader;
+    reader.SetFileName(path.c_str());
+    if (!reader.ReadUpToTag(kPixelData, {kPixelData})) return 0;
+    const std::uintmax_t start = reader.GetStreamCurrentPosition(), end = bytesIn(path);
+    return start < end ? static_cast<std::size_t>(end - start) : 0;
+}
+
 Result<void> readPlainPixels(const DicomSlice& slice, std::span<std::byte> out)
 {
     gdcm::Reader reader;
@@ -251,11 +268,14 @@ Result<void> readPlainPixels(const DicomSlice& slice, std::span<std::byte> out)
     const gdcm::DataSet& set = reader.GetFile().GetDataSet();
     const gdcm::ByteValue* value =
         set.FindDataElement(kPixelData) ? set.GetDataElement(kPixelData).GetByteValue() : nullptr;
-    const std::size_t found = value && value->GetPointer() ? std::size_t(value->GetLength()) : 0;
+    const std::size_t claimed = value && value->GetPointer() ? std::size_t(value->GetLength()) : 0;
+    // What a file that is cut off lacks, GDCM hands over as zeros. Deflated files it refuses itself.
+    const gdcm::TransferSyntax& syntax = reader.GetFile().GetHeader().GetDataSetTransferSyntax();
+    const bool isDeflated = syntax == gdcm::TransferSyntax::DeflatedExplicitVRLittleEndian;
+    const std::size_t found = isDeflated ? claimed : std::min(claimed, bytesFromPixelsOn(slice.path));
     if (found < out.size()) return tooFewPixels(slice, out.size(), found);
     std::memcpy(out.data(), value->GetPointer(), out.size());
-    const bool isBig =
-        reader.GetFile().GetHeader().GetDataSetTransferSyntax().GetSwapCode() == gdcm::SwapCode::BigEndian;
+    const bool isBig = syntax.GetSwapCode() == gdcm::SwapCode::BigEndian;
     if (isBig == (nativeByteOrder() == ByteOrder::littleEndian)) swapBytes(out, slice.bitsAllocated / 8);
     if (slice.channels > 1 && number<0x0028, 0x0006>(set, 0) == 1) interleave(slice, out);
     return {};
@@ -409,13 +429,6 @@ std::int64_t memoryFor(std::uintmax_t fileBytes, std::size_t pixelBytes)
     constexpr std::int64_t kLibrary = std::int64_t{512} << 20, kMost = std::int64_t{1} << 40;
     const auto file = static_cast<std::int64_t>(std::min<std::uintmax_t>(fileBytes, kMost));
     return kLibrary + 4 * file + 4 * static_cast<std::int64_t>(std::min<std::size_t>(pixelBytes, kMost));
-}
-
-std::uintmax_t bytesIn(const std::string& path)
-{
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(path, error);
-    return error ? 0 : bytes;
 }
 
 Failure gaveUp(const std::string& path)
