@@ -94,7 +94,7 @@ FillFrame frameOf(const CastRequest& request)
     frame.perspective = WindowProjection(request).perspective();
     frame.vertexColor = request.layout.color >= 0;
     frame.opacityPerLength = request.opacityGauge.has_value();
-    frame.terminates = request.blending == CastBlending::over && boundsOpacity(request);
+    frame.terminates = hidesBehind(request.blending) && boundsOpacity(request);
     frame.depth = request.depth;
     frame.width = request.width;
     return frame;
@@ -238,7 +238,7 @@ PixelBox united(const PixelBox& a, const PixelBox& b)
 /// Copies the part of a tile that lies in the picture.
 void copyTile(const FillFrame& frame, const FillTile& tile, CastPicture& picture)
 {
-    const bool over = frame.blending == CastBlending::over;
+    const bool hides = hidesBehind(frame.blending);
     const int left = std::max(tile.x, picture.x),
               right = std::min(tile.x + kTileSide, picture.x + picture.width);
     const int end = std::min(tile.y + kTileSide, picture.y + picture.height);
@@ -254,7 +254,7 @@ void copyTile(const FillFrame& frame, const FillTile& tile, CastPicture& picture
             } else {
                 std::copy_n(&tile.rgba[4 * from], 4, rgbt);
             }
-            if (!over) continue;
+            if (!hides) continue;
             picture.alpha[to] = rgbt[3];
             rgbt[3] = tile.rgba.empty() ? 1.0f : tile.transmittance[from];
         }
@@ -269,7 +269,7 @@ void setPicture(const FillFrame& frame, std::span<const FillTile> tiles, const P
     picture.height = box.empty() ? 0 : box.y1 - box.y0;
     const auto pixels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     picture.rgbt.resize(4 * pixels);
-    picture.alpha.resize(frame.blending == CastBlending::over ? pixels : 0);
+    picture.alpha.resize(hidesBehind(frame.blending) ? pixels : 0);
     parallelFor(tiles.size(), threads, [&](std::size_t i) { copyTile(frame, tiles[i], picture); });
 }
 
@@ -292,7 +292,7 @@ public:
     void fill(CastPicture& picture)
     {
         std::vector<Chunk> chunks = chunksOf(polygons_);
-        nearestFirst_ = request_.blending == CastBlending::over;
+        nearestFirst_ = hidesBehind(request_.blending);
         if (nearestFirst_) std::ranges::reverse(chunks);
         for (std::size_t first = 0; first < chunks.size(); first += kChunksAtOnce)
             fillChunks(std::span(chunks).subspan(first, std::min(kChunksAtOnce, chunks.size() - first)));
@@ -354,7 +354,6 @@ std::string fillRefusal(const CastRequest& request)
         return "the viewport is " + std::to_string(request.width) + " x " + std::to_string(request.height) +
                " pixels, not 1 to " + std::to_string(kMostPixels);
     if (request.bricks.empty()) return "there are no voxels";
-    if (request.blending == CastBlending::premultiplied) return "colours are not weighted with alpha";
     for (const CastBrick& brick : request.bricks)
         if (brick.texels.voxels.size() / voxelBytes(brick.texels.format) < brick.texels.size.count())
             return "a brick has no voxels in memory";

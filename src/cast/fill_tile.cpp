@@ -246,8 +246,8 @@ private:
     const float* entries_;
 };
 
-/// target = function(target, fragment) for the channels of each fragment's pixel; before(i, pixel) makes what
-/// function needs.
+/// target = function(target, fragment, prepared, c) for the channels of each fragment's pixel, from channel c
+/// on; before(i, pixel) prepares what function needs.
 template <class Colors, class Before, class Function>
 HWY_INLINE void updatePixels(const Fragments& fragments, const Colors& colors, FillTile& tile, Before before,
                              Function function)
@@ -258,16 +258,41 @@ HWY_INLINE void updatePixels(const Fragments& fragments, const Colors& colors, F
         const auto prepared = before(i, pixel);
         for (std::size_t c = 0; c < 4; c += hn::Lanes(kFour)) {
             float* target = targets + 4 * pixel + c;
-            hn::StoreU(function(hn::LoadU(kFour, target), colors.channels(i, c), prepared), kFour, target);
+            hn::StoreU(function(hn::LoadU(kFour, target), colors.channels(i, c), prepared, c), kFour, target);
         }
     }
+}
+
+/// Colours count whole, alphas as much as they say: over an alpha of 0 that is GL_SRC_ALPHA,
+/// GL_ONE_MINUS_SRC_ALPHA.
+template <class Colors>
+void blendWhole(const Fragments& fragments, const Colors& colors, FillTile& tile)
+{
+    struct Weights
+    {
+        float color, alpha;
+    };
+    float* transmittance = tile.transmittance.data();
+    updatePixels(
+        fragments, colors, tile,
+        [&](std::size_t i, std::size_t pixel) {
+            const float color = transmittance[pixel], alpha = colors.alpha(i) * color;
+            transmittance[pixel] -= alpha;
+            return Weights{color, alpha};
+        },
+        [](Four target, Four source, const Weights& weights, std::size_t first) {
+            const auto isAlpha = hn::Iota(kFour, static_cast<float>(first)) == hn::Set(kFour, 3.0f);
+            const Four weight =
+                hn::IfThenElse(isAlpha, hn::Set(kFour, weights.alpha), hn::Set(kFour, weights.color));
+            return hn::MulAdd(weight, source, target);
+        });
 }
 
 template <class Colors>
 void blend(CastBlending blending, const Fragments& fragments, const Colors& colors, FillTile& tile)
 {
     const auto nothing = [](std::size_t, std::size_t) { return 0; };
-    const auto weighted = [](Four target, Four source, Four weight) {
+    const auto weighted = [](Four target, Four source, Four weight, std::size_t) {
         return hn::MulAdd(weight, source, target);
     };
     float* transmittance = tile.transmittance.data();
@@ -285,15 +310,16 @@ void blend(CastBlending blending, const Fragments& fragments, const Colors& colo
         return updatePixels(
             fragments, colors, tile,
             [&](std::size_t i, std::size_t) { return hn::Set(kFour, colors.alpha(i)); }, weighted);
-    case CastBlending::premultiplied: return; // fillRefusal has no such frames
+    case CastBlending::premultiplied: return blendWhole(fragments, colors, tile);
     case CastBlending::sum:
-        return updatePixels(fragments, colors, tile, nothing, [](Four a, Four b, int) { return a + b; });
+        return updatePixels(fragments, colors, tile, nothing,
+                            [](Four a, Four b, int, std::size_t) { return a + b; });
     case CastBlending::max:
         return updatePixels(fragments, colors, tile, nothing,
-                            [](Four a, Four b, int) { return hn::Max(a, b); });
+                            [](Four a, Four b, int, std::size_t) { return hn::Max(a, b); });
     case CastBlending::min:
         return updatePixels(fragments, colors, tile, nothing,
-                            [](Four a, Four b, int) { return hn::Min(a, b); });
+                            [](Four a, Four b, int, std::size_t) { return hn::Min(a, b); });
     }
 }
 
@@ -357,7 +383,8 @@ class RowFiller
 public:
     RowFiller(const FillFrame& frame, const FillPolygon& polygon, const FillTile& tile, Fragments& fragments)
         : frame_(frame), polygon_(polygon), tile_(tile), fragments_(fragments),
-          blocks_(frame.samplers[static_cast<std::size_t>(polygon.sampler)]), left_(polygon.box.x0 - tile.x)
+          blocks_(frame.samplers[static_cast<std::size_t>(polygon.sampler)]), left_(polygon.box.x0 - tile.x),
+          opaque_(frame.blending == CastBlending::over ? kOpaque : kOpaqueToWhole)
     {
         if (!blocks_.any() || frame.perspective) return;
         float step = 1e-3f;
@@ -425,7 +452,7 @@ private:
         if (frame_.terminates) {
             const Floats through =
                 hn::LoadU(kFloats, tile_.transmittance.data() + static_cast<std::size_t>(y * kTileSide + x));
-            drawn = hn::And(drawn, through > hn::Set(kFloats, kOpaque));
+            drawn = hn::And(drawn, through > hn::Set(kFloats, opaque_));
         }
         if (!frame_.depth.depths.empty()) drawn = hn::And(drawn, inFront(x, y, right));
         return drawn;
@@ -476,6 +503,7 @@ private:
     Fragments& fragments_;
     BlockTest blocks_;
     int left_;
+    float opaque_;
     float pixelsABlock_ = 0.0f;
     RowValue place_[3] = {}, inverseW_ = {}, depth_ = {}, color_[4] = {};
 };
@@ -535,7 +563,7 @@ void fillTile(const FillFrame& frame, std::span<const PolygonRows> polygons, Fil
     if (tile.rgba.empty()) {
         tile.rgba.assign(4 * kTilePixels, frame.nothing());
         // Vectors read past the last row.
-        if (frame.blending == CastBlending::over) tile.transmittance.assign(kTilePixels + 16, 1.0f);
+        if (hidesBehind(frame.blending)) tile.transmittance.assign(kTilePixels + 16, 1.0f);
     }
     HWY_DYNAMIC_DISPATCH(fillTileOfTarget)(frame, polygons, tile);
 }

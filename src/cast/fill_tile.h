@@ -89,13 +89,15 @@ struct FillTile
     int x = 0; ///< of the left lower pixel in the viewport
     int y = 0;
     std::vector<float> rgba;          ///< empty until something is drawn
-    std::vector<float> transmittance; ///< over only
+    std::vector<float> transmittance; ///< where fragments hide what is behind them
     std::vector<float> units;         ///< lengths that a sample stands for, with opacityPerLength
 };
 
 /// What lies behind so little of a pixel's light is left out: a channel changes by no more than that times
 /// the largest value that fragments have.
 constexpr float kOpaque = 1.0f / 4096.0f;
+/// The same where colours count whole, whatever their alpha, and those of a thousand fragments may add up.
+constexpr float kOpaqueToWhole = kOpaque / 1024.0f;
 
 /// A polygon and its spans.
 struct PolygonRows
@@ -104,7 +106,8 @@ struct PolygonRows
     const RowSpan* rows;
 };
 
-/// Blends polygons into a tile, one after the other; for CastBlending::over from the nearest to the farthest.
+/// Blends polygons into a tile, one after the other; where they hide what is behind them, from the nearest to
+/// the farthest.
 void fillTile(const FillFrame& frame, std::span<const PolygonRows> polygons, FillTile& tile);
 
 } // namespace vo

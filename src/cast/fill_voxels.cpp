@@ -20,9 +20,9 @@ bool leavesBlocksOut(CastBlending blending)
 {
     switch (blending) {
     case CastBlending::over:
+    case CastBlending::premultiplied:
     case CastBlending::sum:
     case CastBlending::alphaSum: return true;
-    case CastBlending::premultiplied:
     case CastBlending::max:
     case CastBlending::min: break;
     }

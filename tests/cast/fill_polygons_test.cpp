@@ -174,6 +174,51 @@ TEST_F(FillPolygons, everyBlendingJoinsFragmentsAsItSays)
     }));
 }
 
+/// Colours are dark where the volume ends: an edge would count whole.
+TEST_F(FillPolygons, premultipliedColoursAreNotWeightedWithAlpha)
+{
+    scene.compositing = Compositing::premultiplied;
+    scene.background = {0.2, 0.0, 0.1};
+    for (std::size_t i = 0; i < scene.table.size(); ++i)
+        if (i % 4 < 3) scene.table[i] *= 4.0f * scene.table[i | 3];
+    for (const Classification kind :
+         {Classification::none, Classification::preInterpolation, Classification::postInterpolation}) {
+        scene.classification = kind;
+        scene.color = {0.2, 0.1, 0.15, 0.4};
+        look({20, 130}, 40.0);
+        expectReference({.bricks = 2, .blending = CastBlending::premultiplied}, referencePicture(scene));
+    }
+    FillOptions options{.deformation = twisted(field.size), .blending = CastBlending::premultiplied};
+    for (const int channels : {0, 4}) {
+        scene.color = channels > 0 ? std::array{1.0, 1.0, 1.0, 1.0} : scene.color;
+        options.colorChannels = channels;
+        FillScene fill(scene, options);
+        expectPicture(fill.drawn(), fill.reference());
+    }
+}
+
+/// Where little shows through, colours without an alpha of their own may still add up.
+TEST_F(FillPolygons, whatShinesThroughOpaqueVoxelsIsNotLeftOut)
+{
+    field = constantField({4, 4, 200}, 1.0);
+    for (int z = 194; z < 200; ++z) // the nearest six let 1/4096 through
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 4; ++x)
+                field.at(x, y, z) = 0.0f;
+    scene.compositing = Compositing::premultiplied;
+    scene.overlap = 0;
+    scene.table = {0, 0, 0, 0.75f, 1, 1, 1, 0};
+    scene.view.model = translation(-2, -2, -100);
+    scene.view.projection = ortho(-2, 2, -2, 2, -101, 101);
+    FillScene fill(scene, {.blending = CastBlending::premultiplied});
+    const CastPicture picture = fill.fill();
+    ASSERT_EQ(picture.width * picture.height, scene.width * scene.height);
+    for (std::size_t i = 0; i < picture.rgbt.size(); i += 4) {
+        EXPECT_NEAR(picture.rgbt[i], 194.0 / 4096.0, 1e-5);
+        EXPECT_NEAR(picture.rgbt[i + 3], 1.0 / 4096.0, 1e-7);
+    }
+}
+
 /// Over an opacity of 0: the sum of what GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA makes of alphas.
 TEST_F(FillPolygons, theAlphaOfOverIsThatOfBlending)
 {
@@ -183,18 +228,22 @@ TEST_F(FillPolygons, theAlphaOfOverIsThatOfBlending)
     scene.overlap = 0;
     scene.view.model = multiply(scaling(2.0 / 20, 2.0 / 16, 0.01), translation(-12, -9, -10));
     scene.view.projection = identity();
-    FillScene fill(scene, {.bricks = 2});
-    const CastPicture picture = fill.fill();
-    ASSERT_EQ(picture.width * picture.height, scene.width * scene.height);
-    double color = 0.0, alpha = 0.0;
-    for (int k = 0; k < 21; ++k) {
-        color = 0.8 * color + 0.2 * 0.5;
-        alpha = 0.8 * alpha + 0.2 * 0.2;
-    }
-    for (std::size_t i = 0; i < picture.alpha.size(); ++i) {
-        EXPECT_NEAR(picture.rgbt[4 * i], color, 1e-5);
-        EXPECT_NEAR(picture.rgbt[4 * i + 3], std::pow(0.8, 21), 1e-5);
-        EXPECT_NEAR(picture.alpha[i], alpha, 1e-5);
+    for (const CastBlending blending : {CastBlending::over, CastBlending::premultiplied}) {
+        const double weight = blending == CastBlending::over ? 0.2 : 1.0;
+        FillScene fill(scene, {.bricks = 2, .blending = blending});
+        const CastPicture picture = fill.fill();
+        ASSERT_EQ(picture.width * picture.height, scene.width * scene.height);
+        double color = 0.0, alpha = 0.0;
+        for (int k = 0; k < 21; ++k) {
+            color = 0.8 * color + weight * 0.5;
+            alpha = 0.8 * alpha + 0.2 * 0.2;
+        }
+        ASSERT_FALSE(picture.alpha.empty());
+        for (std::size_t i = 0; i < picture.alpha.size(); ++i) {
+            EXPECT_NEAR(picture.rgbt[4 * i], color, 1e-5);
+            EXPECT_NEAR(picture.rgbt[4 * i + 3], std::pow(0.8, 21), 1e-5);
+            EXPECT_NEAR(picture.alpha[i], alpha, 1e-5);
+        }
     }
 }
 
@@ -202,6 +251,7 @@ TEST_F(FillPolygons, pixelsOutsideOfAllPolygonsHoldWhatChangesNothing)
 {
     scene.classification = Classification::none;
     const std::pair<CastBlending, float> nothings[] = {{CastBlending::over, 0.0f},
+                                                       {CastBlending::premultiplied, 0.0f},
                                                        {CastBlending::sum, 0.0f},
                                                        {CastBlending::max, -HUGE_VALF},
                                                        {CastBlending::min, HUGE_VALF}};
@@ -209,8 +259,8 @@ TEST_F(FillPolygons, pixelsOutsideOfAllPolygonsHoldWhatChangesNothing)
         const CastPicture picture = FillScene(scene, {.blending = blending}).fill();
         ASSERT_GT(picture.width, 10);
         EXPECT_EQ(picture.rgbt[0], nothing); // the corner of the box around a turned cube
-        EXPECT_EQ(picture.rgbt[3], blending == CastBlending::over ? 1.0f : nothing);
-        EXPECT_EQ(picture.alpha.empty(), blending != CastBlending::over);
+        EXPECT_EQ(picture.rgbt[3], hidesBehind(blending) ? 1.0f : nothing);
+        EXPECT_EQ(picture.alpha.empty(), !hidesBehind(blending));
     }
 }
 

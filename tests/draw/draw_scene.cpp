@@ -179,10 +179,12 @@ void SceneDrawing::setState(const View& view)
         gl.Color4d(color[0], color[1], color[2], color[3]);
     }
     gl.Enable(GL_BLEND);
-    constexpr GLenum equations[] = {GL_FUNC_ADD, GL_MAX, GL_MIN, GL_FUNC_ADD};
+    constexpr GLenum equations[] = {GL_FUNC_ADD, GL_MAX, GL_MIN, GL_FUNC_ADD, GL_FUNC_ADD};
     gl.BlendEquation(equations[static_cast<int>(scene_.compositing)]);
     if (scene_.compositing == Compositing::sum)
         gl.BlendFunc(GL_ONE, GL_ONE);
+    else if (scene_.compositing == Compositing::premultiplied)
+        gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     else
         gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     gl.ClearColor(static_cast<float>(scene_.background[0]), static_cast<float>(scene_.background[1]),

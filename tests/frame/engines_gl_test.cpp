@@ -90,6 +90,7 @@ Scene sceneOf(const EngineCase& c, const Field& field, const Angles& angles)
         scene.background = {1, 1, 1};
         return scene;
     }
+    if (c.compositing == Compositing::premultiplied) scene.color = {0.1, 0.08, 0.12, 1};
     if (c.compositing == Compositing::sum || c.classification == Classification::none)
         scene.color = {0.02, 0.015, 0.01, 0.1};
     return scene;
@@ -139,6 +140,7 @@ const EngineCase kCases[] = {
     {.name = "min", .classification = Classification::none, .compositing = Compositing::min},
     {.name = "maxOfARamp", .compositing = Compositing::max, .ramp = true},
     {.name = "sum", .compositing = Compositing::sum},
+    {.name = "premultiplied", .compositing = Compositing::premultiplied},
     {.name = "eightBricks", .bricks = 2},
     {.name = "perspective", .bricks = 2, .degrees = 60},
     {.name = "stacks", .stackAxis = 2},
@@ -147,6 +149,15 @@ const EngineCase kCases[] = {
     {.name = "shells", .degrees = 90, .planes = SamplingPlanes::spherical},
     {.name = "voxelCoordinates", .texCoords = true},
     {.name = "voxelCoordinatesInBricks", .bricks = 2, .degrees = 50, .texCoords = true},
+    {.name = "voxelCoordinatesPremultiplied",
+     .compositing = Compositing::premultiplied,
+     .bricks = 2,
+     .texCoords = true},
+    {.name = "voxelCoordinatesPremultipliedWithoutTable",
+     .classification = Classification::none,
+     .compositing = Compositing::premultiplied,
+     .degrees = 50,
+     .texCoords = true},
 };
 
 INSTANTIATE_TEST_SUITE_P(Cases, EnginePictures, testing::ValuesIn(kCases),

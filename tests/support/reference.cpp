@@ -384,9 +384,10 @@ public:
     {
         const double alpha = fragment[3];
         for (std::size_t c = 0; c < 3; ++c)
-            value_[c] = mode_ == Compositing::over ? value_[c] * (1.0 - alpha) + fragment[c] * alpha
-                                                   : combine(value_[c], fragment[c]);
-        if (mode_ == Compositing::over)
+            value_[c] = hides() ? value_[c] * (1.0 - alpha) +
+                                      (mode_ == Compositing::over ? fragment[c] * alpha : fragment[c])
+                                : combine(value_[c], fragment[c]);
+        if (hides())
             value_[3] = 1.0 - (1.0 - value_[3]) * (1.0 - alpha);
         else
             value_[3] = drawn_ ? combine(value_[3], alpha) : alpha;
@@ -396,6 +397,8 @@ public:
     const Rgba& value() const { return value_; }
 
 private:
+    bool hides() const { return mode_ == Compositing::over || mode_ == Compositing::premultiplied; }
+
     double combine(double destination, double source) const
     {
         if (mode_ == Compositing::max) return std::max(destination, source);

@@ -20,7 +20,8 @@ enum class SamplingPlanes { viewportAligned, axisAligned, spherical };
 enum class Classification { none, preInterpolation, postInterpolation };
 /// over: source alpha over one minus source alpha. max, min: GL_MAX, GL_MIN of what is drawn. sum: GL_ONE,
 /// GL_ONE.
-enum class Compositing { over, max, min, sum };
+/// premultiplied: over, with colours that are not weighted with alpha.
+enum class Compositing { over, max, min, sum, premultiplied };
 
 using Tetrahedron = std::array<glm::dvec3, 4>;
 
