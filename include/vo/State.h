@@ -47,10 +47,10 @@ public:
                             float samplingPeriod[3], int maxSamplesNumber);
     static void resetSampling();
 
-    /** Who draws the frames of drawUtility in this context; initially AUTOMATIC. SLICES and CAST say so for any OpenGL;
-        the environment's VO_ENGINE=slices or VO_ENGINE=cast goes before. CAST draws slices all the same where the
-        OpenGL state that is set, or the volume, would make another picture of it; at debug level 1 the reason is
-        printed. */
+    /** Who draws the frames of drawUtility in this context; initially AUTOMATIC: who the environment's VO_ENGINE=slices
+        or VO_ENGINE=cast names, else CAST where OpenGL runs on the processor and SLICES where it has hardware. SLICES
+        and CAST say so for any OpenGL, whatever the environment says. CAST draws slices all the same where the OpenGL
+        state that is set, or the volume, would make another picture of it; at debug level 1 the reason is printed. */
     static void setEngine(voEngine engine);
     /** How many frames drawUtility has drawn in this context with SLICES or with CAST; AUTOMATIC: with both. */
     static long getFramesDrawn(voEngine engine);

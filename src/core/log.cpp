@@ -1,7 +1,9 @@
 #include "core/log.h"
 
+#include "core/environment.h"
+
 #include <atomic>
-#include <cstdlib>
+#include <charconv>
 #include <mutex>
 
 namespace vo {
@@ -10,8 +12,14 @@ namespace {
 
 int levelFromEnvironment()
 {
-    const char* text = std::getenv("VO_DEBUG");
-    return text ? std::atoi(text) : 0;
+    const std::string_view text = environmentText("VO_DEBUG");
+    if (text.empty()) return 0;
+    int level = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, level);
+    if (error == std::errc() && stop == end) return level;
+    tellUnusable("VO_DEBUG", "a whole number");
+    return 0;
 }
 
 struct Destination

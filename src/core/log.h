@@ -7,7 +7,7 @@
 namespace vo {
 
 /// Sets what is printed: messages whose level is at most `level`; 0 prints nothing. The initial value comes
-/// from the environment variable VO_DEBUG (a number), else 0.
+/// from the environment variable VO_DEBUG (a whole number), else 0.
 void setDebugLevel(int level);
 int debugLevel();
 

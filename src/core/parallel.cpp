@@ -1,24 +1,27 @@
 #include "core/parallel.h"
 
+#include "core/environment.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
-#include <cstring>
+#include <string_view>
 
 namespace vo {
 
 int usualThreads()
 {
     const int machine = tbb::this_task_arena::max_concurrency();
-    const char* wanted = std::getenv("VO_THREADS");
-    if (!wanted) return machine;
+    const std::string_view wanted = environmentText("VO_THREADS");
+    if (wanted.empty()) return machine;
     int threads = 0;
-    const char* end = wanted + std::strlen(wanted);
-    const auto [stop, error] = std::from_chars(wanted, end, threads);
-    return error == std::errc() && stop == end && threads >= 1 ? std::min(threads, machine) : machine;
+    const char* end = wanted.data() + wanted.size();
+    const auto [stop, error] = std::from_chars(wanted.data(), end, threads);
+    if (error == std::errc() && stop == end && threads >= 1) return std::min(threads, machine);
+    tellUnusable("VO_THREADS", "a whole number from 1 on");
+    return machine;
 }
 
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body)

@@ -6,7 +6,7 @@
 namespace vo {
 
 /// Threads that work is spread over when nobody says otherwise: those of the machine, or the environment's
-/// VO_THREADS (1 and up) if that is fewer.
+/// VO_THREADS (1 and up) if that is fewer. What else VO_THREADS says is told (tellUnusable).
 int usualThreads();
 
 /// Calls body(0) to body(count - 1), each once, in up to `threads` threads of the machine's (0:

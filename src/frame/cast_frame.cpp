@@ -1,13 +1,13 @@
 #include "frame/cast_frame.h"
 
 #include "cast/fill_polygons.h"
+#include "core/environment.h"
 #include "core/log.h"
 #include "draw/composite_picture.h"
 #include "draw/compositing_state.h"
 #include "lookup/brick_texels.h"
 #include "polygonize/line_of_sight.h"
 
-#include <cstdlib>
 #include <string_view>
 #include <vector>
 
@@ -93,6 +93,15 @@ void fill(ContextRecord& context, const FrameRequest& request, const Camera& cam
     context.polygonFiller.fill(cast, {cache.records(), cache.indices(), runs}, context.picture);
 }
 
+EngineChoice wantedByEnvironment()
+{
+    const std::string_view word = environmentText("VO_ENGINE");
+    if (word == "slices") return EngineChoice::slices;
+    if (word == "cast") return EngineChoice::cast;
+    if (!word.empty()) tellUnusable("VO_ENGINE", "slices or cast");
+    return EngineChoice::automatic;
+}
+
 } // namespace
 
 bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw)
@@ -110,11 +119,8 @@ bool isUnbounded(const ContextRecord& context, const FrameRequest& request, cons
 
 EngineChoice engineChoice(const ContextRecord& context)
 {
-    const char* text = std::getenv("VO_ENGINE");
-    const std::string_view word = text ? text : "";
-    if (word == "slices") return EngineChoice::slices;
-    if (word == "cast") return EngineChoice::cast;
-    return context.state.engine;
+    const EngineChoice wanted = wantedByEnvironment();
+    return context.state.engine == EngineChoice::automatic ? wanted : context.state.engine;
 }
 
 std::string drawCastFrame(ContextRecord& context, const FrameRequest& request, const DrawState& draw,

@@ -8,7 +8,8 @@
 
 namespace vo {
 
-/// What the environment's VO_ENGINE says (slices or cast), else what the context was told.
+/// What the context was told; where that is automatic, what the environment's VO_ENGINE says (slices or
+/// cast).
 EngineChoice engineChoice(const ContextRecord& context);
 
 /// Fragments may have colours outside 0 to 1.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 
 namespace {
@@ -55,4 +56,23 @@ TEST(Log, theLastStreamReceivesTheMessages)
     EXPECT_EQ(listening.text.str(), "");
     vo::setDebugStream(static_cast<std::FILE*>(nullptr));
     std::fclose(file);
+}
+
+/// In a process of its own: the level is read once.
+TEST(LogDeathTest, environmentGivesTheFirstLevelAndWhatIsNoneIsTold)
+{
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            setenv("VO_DEBUG", "2", 1);
+            std::exit(vo::debugLevel());
+        },
+        testing::ExitedWithCode(2), testing::Eq(""));
+    EXPECT_EXIT(
+        {
+            setenv("VO_DEBUG", "2\nx", 1);
+            std::exit(vo::debugLevel());
+        },
+        testing::ExitedWithCode(0),
+        testing::Eq("VO_DEBUG: expected a whole number, found \"2.x\", which has no effect\n"));
 }

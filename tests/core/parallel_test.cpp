@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace {
@@ -39,6 +40,29 @@ TEST(Parallel, environmentLowersTheNumberOfThreads)
         EXPECT_EQ(vo::usualThreads(), machine) << nonsense;
     }
     unsetenv("VO_THREADS");
+}
+
+/// In a process of its own, so that nothing has been told before.
+TEST(ParallelDeathTest, unusableNumberOfThreadsIsToldOnce)
+{
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    for (const std::string word : {"0", "-1", "abc", "2x", "1.5", "99999999999"})
+        EXPECT_EXIT(
+            {
+                setenv("VO_THREADS", word.c_str(), 1);
+                vo::parallelFor(10, 0, [](std::size_t) {});
+                std::exit(vo::usualThreads() >= 1 ? 0 : 1);
+            },
+            testing::ExitedWithCode(0),
+            testing::Eq("VO_THREADS: expected a whole number from 1 on, found \"" + word +
+                        "\", which has no effect\n"));
+    for (const char* word : {"", "1", "100000"})
+        EXPECT_EXIT(
+            {
+                setenv("VO_THREADS", word, 1);
+                std::exit(vo::usualThreads() >= 1 ? 0 : 1);
+            },
+            testing::ExitedWithCode(0), testing::Eq(""));
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -231,14 +232,31 @@ TEST_F(EngineState, automaticCastsWhereOpenGLRunsOnTheProcessor)
     EXPECT_EQ(drawnWith(), software ? voEngineScope::CAST : voEngineScope::SLICES);
 }
 
-TEST_F(EngineState, environmentGoesBefore)
+TEST_F(EngineState, environmentChoosesWhereTheProgramDoesNot)
 {
-    setenv("VO_ENGINE", "slices", 1);
-    EXPECT_EQ(drawnWith(), voEngineScope::SLICES);
-    setenv("VO_ENGINE", "cast", 1);
     drawing_->draw();
-    EXPECT_EQ(drawnWith([&] { drawFrame(voEngineScope::SLICES); }), voEngineScope::CAST);
+    const auto drawnAs = [&](voEngine engine) { return drawnWith([&] { drawFrame(engine); }); };
+    for (const auto& [word, engine] :
+         {std::pair("slices", voEngineScope::SLICES), std::pair("cast", voEngineScope::CAST)}) {
+        setenv("VO_ENGINE", word, 1);
+        EXPECT_EQ(drawnAs(voEngineScope::AUTOMATIC), engine);
+        EXPECT_EQ(drawnAs(voEngineScope::SLICES), voEngineScope::SLICES) << word;
+        EXPECT_EQ(drawnAs(voEngineScope::CAST), voEngineScope::CAST) << word;
+    }
     unsetenv("VO_ENGINE");
+}
+
+TEST_F(EngineState, unknownEngineInTheEnvironmentIsToldOnce)
+{
+    const voEngine usual = drawnWith([&] { drawFrame(voEngineScope::AUTOMATIC); });
+    testing::internal::CaptureStderr();
+    for (const char* word : {"cast ", "CAST", "nonsense", ""}) {
+        setenv("VO_ENGINE", word, 1);
+        EXPECT_EQ(drawnWith([&] { drawFrame(voEngineScope::AUTOMATIC); }), usual) << word;
+    }
+    unsetenv("VO_ENGINE");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "VO_ENGINE: expected slices or cast, found \"cast \", which has no effect\n");
 }
 
 TEST_F(EngineState, otherStatesAreDrawnAsSlices)
