@@ -225,6 +225,11 @@ ScopedJoinedBlending::~ScopedJoinedBlending()
     gl_.BlendFuncSeparate(factors_[0], factors_[1], factors_[2], factors_[3]);
 }
 
+bool framebufferIsComplete(const ContextRecord& context)
+{
+    return context.gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
 void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths)
 {
     const GladGLContext& gl = context.gl;

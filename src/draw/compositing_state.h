@@ -68,6 +68,9 @@ std::string readCompositingState(const ContextRecord& context, const DrawState& 
 /// colour. Queries that count fragments are not asked about.
 bool clearFragmentsLeaveNoTrace(const ContextRecord& context);
 
+/// Whether OpenGL draws into the framebuffer that is bound for drawing.
+bool framebufferIsComplete(const ContextRecord& context);
+
 /// The window depths of the viewport, rows from the bottom.
 void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths);
 

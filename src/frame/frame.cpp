@@ -257,6 +257,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
     const DrawState state = readDrawState(context);
     const std::optional<Camera> camera = findCamera(state.model, state.projection);
     if (!camera) return FrameResult::singularMatrices;
+    if (!framebufferIsComplete(context)) return FrameResult::incompleteFramebuffer;
     if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
     const std::string whySlices = drawCastFrame(context, request, state, *camera, cache);
     if (whySlices.empty()) {

@@ -42,7 +42,14 @@ struct FrameRequest
     FrameTimes* times = nullptr; ///< measured where given; OpenGL is then waited for
 };
 
-enum class FrameResult { ok, singularMatrices, textureTooLarge, outOfMemory, noVoxels };
+enum class FrameResult {
+    ok,
+    singularMatrices,
+    incompleteFramebuffer,
+    textureTooLarge,
+    outOfMemory,
+    noVoxels
+};
 
 /// What frames of one volume keep from one to the next.
 struct FrameCache

@@ -141,6 +141,7 @@ void throwOnFailure(vo::FrameResult result)
     switch (result) {
     case vo::FrameResult::ok: return;
     case vo::FrameResult::singularMatrices: badValue("the matrices are singular");
+    case vo::FrameResult::incompleteFramebuffer: badValue("the framebuffer bound for drawing is incomplete");
     case vo::FrameResult::textureTooLarge: badValue("a brick is larger than a texture of OpenGL can be here");
     case vo::FrameResult::outOfMemory: throw std::bad_alloc();
     case vo::FrameResult::noVoxels: badValue("a brick has no voxels; dataAlloc or setDataPtr gives it some");

@@ -251,6 +251,37 @@ TEST_F(GeometryActionsGL, drawUtilityRefusesWhatCannotBeDrawn)
     EXPECT_EQ(screen.middle().first, 0.0f);
 }
 
+/// A framebuffer without images, then one whose image has no size.
+TEST_F(GeometryActionsGL, drawUtilityRefusesAnIncompleteFramebuffer)
+{
+    const auto volume = SquareScreen::constantVolume(255);
+    const GladGLContext& gl = screen.gl();
+    GLint screenBuffer = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &screenBuffer);
+    GLuint framebuffer = 0, image = 0;
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.GenRenderbuffers(1, &image);
+    for (const bool attached : {false, true})
+        for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST}) {
+            voState::setEngine(engine);
+            gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+            gl.BindRenderbuffer(GL_RENDERBUFFER, image);
+            if (attached)
+                gl.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, image);
+            EXPECT_NE(voGeometryActions::drawUtility(&tetras, Format::V3F, volume.get(), NULL, Space::OBJECT,
+                                                     period, Decorations::ALL),
+                      0);
+            expectBadValue("framebuffer");
+            EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
+            EXPECT_EQ(voState::getFramesDrawn(voEngineScope::AUTOMATIC), 0);
+            gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(screenBuffer));
+        }
+    EXPECT_EQ(drawUtility(*volume), 0);
+    EXPECT_EQ(voState::getFramesDrawn(voEngineScope::AUTOMATIC), 1);
+    gl.DeleteFramebuffers(1, &framebuffer);
+    gl.DeleteRenderbuffers(1, &image);
+}
+
 TEST_F(GeometryActionsGL, verticesThatAreNoNumbersDoNoHarm)
 {
     const auto volume = SquareScreen::constantVolume(255);
