@@ -166,8 +166,9 @@ public:
     static void draw(voBrickSet *brickSet);
 
     /** A whole frame: chooses the stack, polygonizes through the cache, sorts, binds and draws with the current
-        matrices, colour and blending. cache may be NULL. Returns 0, or non-zero with voError set: BAD_VALUE for singular
-        matrices, bricks without voxels, and an incomplete framebuffer, into which nothing is drawn. */
+        matrices, colour and blending. cache may be NULL. Tetrahedra with a vertex whose position is not finite are
+        left out. Returns 0, or non-zero with voError set: BAD_VALUE for singular matrices, bricks without voxels, and
+        an incomplete framebuffer, into which nothing is drawn. */
     static int drawUtility(voIndexedTetraSet *tetraSet, voInterleavedArrayType format, voBrickSetCollection *volume,
                            voDrawActionCache *cache, voSamplingSpace samplingSpace, float samplingPeriod[3],
                            voDecorationFlags decorations);

@@ -418,6 +418,40 @@ TEST_F(EngineState, colorsThatAFramebufferWouldClampAreDrawnAsSlices)
     EXPECT_EQ(drawnWith([&] { drawFrame(voEngineScope::CAST); }), voEngineScope::SLICES);
 }
 
+/// Each corner of the volume in turn is no number: the picture is the same as with flat tetrahedra in place
+/// of those that use it.
+TEST_F(EngineState, tetrahedraWithAVertexThatIsNotFiniteAreLeftOut)
+{
+    drawing_->draw();
+    const voVertexData& vertices = *drawing_->tetras().getVertexData();
+    const voIndices& indices = *drawing_->tetras().getIndices();
+    const auto drawn = [&](std::vector<float> records, std::vector<int> corners, voEngine engine) {
+        gl().Clear(GL_COLOR_BUFFER_BIT);
+        voState::setEngine(engine);
+        voIndexedTetraSet tetras(records.data(), static_cast<int>(records.size()) / 3, 3, corners.data(),
+                                 static_cast<int>(corners.size()));
+        float period[3] = {1, 1, 1};
+        EXPECT_EQ(voGeometryActions::drawUtility(&tetras, voInterleavedArrayTypeScope::V3F,
+                                                 &drawing_->volume(), nullptr, voSamplingSpaceScope::OBJECT,
+                                                 period, voDecorationFlagsScope::NONE),
+                  0);
+        return context_->readFloats();
+    };
+    const std::vector<float> whole(vertices.getDataPtr(), vertices.getDataPtr() + 3 * vertices.getCount());
+    const std::vector<int> all(indices.getDataPtr(), indices.getDataPtr() + indices.getCount());
+    for (std::size_t vertex = 0; vertex < whole.size() / 3; ++vertex)
+        for (const float value : {std::nanf(""), HUGE_VALF}) {
+            std::vector<float> records = whole;
+            records[3 * vertex + vertex % 3] = value;
+            std::vector<int> left = all;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (all[i] == static_cast<int>(vertex)) left[i] = all[i ^ 1];
+            for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST})
+                EXPECT_TRUE(drawn(records, all, engine) == drawn(whole, left, engine))
+                    << "vertex " << vertex << ", engine " << engine;
+        }
+}
+
 TEST_F(EngineState, opacityPerLengthHolds)
 {
     drawing_->draw();
