@@ -59,14 +59,24 @@ vo::Result<vo::VolumeScene> openScene(const vo::VorenderOptions& options)
 vo::Result<void> checkNames(const vo::VorenderOptions& options)
 {
     const std::uintmax_t pixels = std::uintmax_t(options.view.width) * std::uintmax_t(options.view.height);
-    for (int frame = 0; frame < std::max(options.frames, 1); ++frame)
-        for (const auto& [name, floats] : {std::pair(options.output, 4u), std::pair(options.depth, 1u)}) {
-            if (name.empty()) continue;
-            auto checked = vo::checkPictureName(vo::frameName(options, name, frame), pixels * floats * 4,
-                                                options.view.files);
-            if (!checked) return checked;
-        }
+    const std::vector<vo::NamedPictures> pictures = vo::pictureNames(options);
+    if (auto differ = vo::checkNamesDiffer(pictures); !differ) return differ;
+    for (const auto& [option, names] : pictures) {
+        const std::uintmax_t floats = option == std::string("-output") ? 4 : 1;
+        for (const std::string& name : names)
+            if (auto checked = vo::checkPictureName(name, pixels * floats * 4, options.view.files); !checked)
+                return checked;
+    }
     return {};
+}
+
+/// Says that a turn ends up in one picture: the number may have been forgotten.
+void noteWhatIsNotNumbered(const vo::VorenderOptions& options)
+{
+    if (options.frames == 0) return;
+    for (const std::string& name : {options.output, options.depth})
+        if (!name.empty() && !vo::isNumbered(name))
+            vo::warn(kProgram, name + ": has no %d for the number of each of the -frames; it shows the view");
 }
 
 /// Draws frame after frame; one is written while the next is drawn.
@@ -80,7 +90,7 @@ public:
 
     vo::Result<void> run()
     {
-        const int count = std::max(options_.frames, 1);
+        const int count = vo::pictureCount(options_);
         for (int frame = 0; frame < count; ++frame) {
             if (vo::interrupted()) return vo::Failure{"interrupted"};
             if (auto drawn = draw(frame, 360.0 * frame / count); !drawn) return drawn;
@@ -97,16 +107,22 @@ private:
             return vo::Failure{options_.view.files.front() + ": cannot be drawn without OpenGL: " + why};
         vo::CastPicture picture;
         caster_.cast(view.request(), picture);
-        if (!options_.depth.empty()) {
+        if (isWanted(options_.depth, frame)) {
             const auto depths = vo::pictureDepths(caster_, view.request(), picture, vo::interrupted);
             if (depths.empty()) return vo::Failure{"interrupted"};
-            const std::string name = vo::frameName(options_, options_.depth, frame);
+            const std::string name = vo::frameName(options_.depth, options_.frames, frame);
             auto done = vo::writeDepths(name, options_.view.width, options_.view.height, depths);
             if (!done) return done;
         }
-        if (options_.output.empty()) return {};
+        if (!isWanted(options_.output, frame)) return {};
         if (auto done = written(); !done) return done;
-        return write(vo::frameName(options_, options_.output, frame), std::move(picture));
+        return write(vo::frameName(options_.output, options_.frames, frame), std::move(picture));
+    }
+
+    /// Frame 0 is the view itself.
+    static bool isWanted(const std::string& name, int frame)
+    {
+        return !name.empty() && (frame == 0 || vo::isNumbered(name));
     }
 
     /// Waits for the picture that is being written.
@@ -134,6 +150,7 @@ vo::Result<void> run(const std::vector<std::string>& words)
     if (auto named = checkNames(*options); !named) return named;
     const auto scene = openScene(*options);
     if (!scene) return scene.failure();
+    noteWhatIsNotNumbered(*options);
     return FrameWriter(*options, *scene).run();
 }
 

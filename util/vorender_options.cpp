@@ -1,6 +1,6 @@
 #include "vorender_options.h"
 
-#include "volume_io/numbered_name.h"
+#include "volume_view/frame_names.h"
 
 #include <algorithm>
 #include <climits>
@@ -64,7 +64,9 @@ std::vector<OwnOption> ownOptions(VorenderOptions& to, RawWords& raw)
          [&](Arguments& a) { to.depth = pictureName(a); }},
         {"frames",
          {"N"},
-         "turn once round in N pictures; file names have a %d or %03d for their numbers, from 0",
+         "turn once round in N frames; a file name with a %d or %03d gets a picture of each, numbered from "
+         "0, any\n"
+         "other the view alone",
          [&](Arguments& a) { to.frames = a.integer(1, 1000000, "a number of frames"); }},
         {"raw",
          {"X", "Y", "Z", "TYPE"},
@@ -101,15 +103,6 @@ std::vector<OwnOption> ownOptions(VorenderOptions& to, RawWords& raw)
     };
 }
 
-Result<void> checkName(const VorenderOptions& options, const char* option, const std::string& name)
-{
-    if (name.empty() || options.frames == 0 || numberedName(name, 0)) return {};
-    return Failure{std::string("option ") + option +
-                   ": expected a name with a %d or %03d for the number of each "
-                   "of the -frames, found '" +
-                   name + "'"};
-}
-
 std::string listed(const std::vector<std::string>& files)
 {
     std::string text;
@@ -128,11 +121,10 @@ Result<void> checkTogether(const VorenderOptions& options, const RawWords& raw)
         return Failure{"expected the file of one volume (-help says more), found" + listed(files)};
     if (options.output.empty() && options.depth.empty())
         return Failure{"expected -output FILE.png, -output FILE.raw or -depth FILE, found none of them"};
-    if (!options.output.empty() && options.output == options.depth)
-        return Failure{"option -depth: expected another file than that of -output, found '" + options.depth +
-                       "'"};
-    if (auto named = checkName(options, "-output", options.output); !named) return named;
-    if (auto named = checkName(options, "-depth", options.depth); !named) return named;
+    if (options.frames > 0) {
+        if (auto named = checkFrameName("-output", options.output); !named) return named;
+        if (auto named = checkFrameName("-depth", options.depth); !named) return named;
+    }
     if (options.view.shells && options.view.textureDimensions == 2)
         return Failure{"option -shells: expected 3D textures, found -2D"};
     return {};
@@ -145,9 +137,23 @@ bool isRawName(const std::string& name)
     return endsWith(name, ".raw");
 }
 
-std::string frameName(const VorenderOptions& options, const std::string& name, int frame)
+int pictureCount(const VorenderOptions& options)
 {
-    return options.frames == 0 ? name : numberedName(name, frame).value_or(name);
+    const bool everyFrame = isNumbered(options.output) || isNumbered(options.depth);
+    return options.frames > 0 && everyFrame ? options.frames : 1;
+}
+
+std::vector<NamedPictures> pictureNames(const VorenderOptions& options)
+{
+    std::vector<NamedPictures> pictures;
+    for (const auto& [option, name] : {std::pair("-output", options.output), {"-depth", options.depth}}) {
+        if (name.empty()) continue;
+        const int count = options.frames > 0 && isNumbered(name) ? options.frames : 1;
+        NamedPictures& named = pictures.emplace_back(NamedPictures{option, {}});
+        for (int frame = 0; frame < count; ++frame)
+            named.names.push_back(frameName(name, options.frames, frame));
+    }
+    return pictures;
 }
 
 Result<VorenderOptions> parseVorenderOptions(const std::vector<std::string>& words)

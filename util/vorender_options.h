@@ -1,6 +1,7 @@
 #pragma once
 
 #include "volume_io/volume_io.h"
+#include "volume_view/frame_names.h"
 #include "volume_view/options.h"
 
 #include <optional>
@@ -18,7 +19,7 @@ struct VorenderOptions
     std::string output;
     /// The depths: .png or .raw. Empty: none.
     std::string depth;
-    /// Pictures of a turn; 0: one, of the view alone.
+    /// Frames of a turn; 0: the view alone.
     int frames = 0;
     /// How files without a format of their own are laid out.
     std::optional<RawLayout> raw;
@@ -27,9 +28,11 @@ struct VorenderOptions
 /// Whether a file name asks for floats instead of a PNG.
 bool isRawName(const std::string& name);
 
-/// The name of a picture of a turn: that with its number, from 0, in place of %d. Without a turn the name
-/// itself.
-std::string frameName(const VorenderOptions& options, const std::string& name, int frame);
+/// How many frames have to be drawn: those of the turn where a name has a number, else the view alone.
+int pictureCount(const VorenderOptions& options);
+
+/// All files that are to be written, by option.
+std::vector<NamedPictures> pictureNames(const VorenderOptions& options);
 
 Result<VorenderOptions> parseVorenderOptions(const std::vector<std::string>& words);
 

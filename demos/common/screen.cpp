@@ -1,6 +1,7 @@
 #include "screen.h"
 
 #include "offscreen/offscreen.h"
+#include "volume_view/frame_names.h"
 #include "volume_view/picture.h"
 #include "window.h"
 
@@ -29,6 +30,23 @@ bool drawFrame(const ScreenCallbacks& callbacks, voFloatTarget& target)
     return drawn;
 }
 
+/// Draws the frames and writes those that `output` asks for; the reason is printed when it cannot.
+bool drawAndWrite(const ScreenRequest& request, const ScreenCallbacks& callbacks, const std::string& output)
+{
+    std::vector<float> pixels(std::size_t(request.width) * std::size_t(request.height) * 4);
+    voFloatTarget target(request.width, request.height);
+    const int count = std::max(request.frames, 1);
+    for (int frame = 1; frame <= count; ++frame) {
+        if (!drawFrame(callbacks, target)) return false;
+        if (output.empty() || (frame < count && !isNumbered(output))) continue;
+        target.readPixels(pixels.data());
+        const std::string name = frameName(output, request.frames, frame % count);
+        if (const auto written = writePicture(name, request.width, request.height, pixels); !written)
+            return fail(request, written.failure().text) == 0;
+    }
+    return true;
+}
+
 int showWithoutWindow(const ScreenRequest& request, const ScreenCallbacks& callbacks,
                       const std::string& output)
 {
@@ -41,19 +59,9 @@ int showWithoutWindow(const ScreenRequest& request, const ScreenCallbacks& callb
     if (!context) return fail(request, "no OpenGL without a window: " + whyNot);
     gl = &context->gl();
     callbacks.initialize();
-    bool drawn = true;
-    std::vector<float> pixels(std::size_t(request.width) * std::size_t(request.height) * 4);
-    {
-        voFloatTarget target(request.width, request.height);
-        for (int frame = 0; drawn && frame < std::max(request.frames, 1); ++frame)
-            drawn = drawFrame(callbacks, target);
-        if (drawn) target.readPixels(pixels.data());
-    }
+    const bool done = drawAndWrite(request, callbacks, output);
     callbacks.cleanup();
-    if (!drawn) return 1;
-    if (output.empty()) return 0;
-    const auto written = writePicture(output, request.width, request.height, pixels);
-    return written ? 0 : fail(request, written.failure().text);
+    return done ? 0 : 1;
 }
 
 /// Draws into the window until it is closed, or `frames` frames were drawn.

@@ -40,9 +40,12 @@ struct ScreenRequest
     int height = 512;
     /// A context of the core profile instead of the compatibility profile.
     bool core = false;
-    /// The picture to write, without a window. Empty: a window; where there is no display, PROGRAM.png.
+    /// The picture to write, without a window; with `frames`, a name with a %d gets a picture of each frame,
+    /// any other the last one. Empty: a window; where there is no display, PROGRAM.png, or with `frames`
+    /// none.
     std::string output;
     /// How many frames are drawn before it ends; 0: a window stays until it is closed, a picture takes one.
+    /// The last one is number 0: a turn ends where it began.
     int frames = 0;
 };
 

@@ -6,6 +6,8 @@
 #include "trackball.h"
 #include "voglLookup.h"
 
+#include "volume_view/frame_names.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,6 +147,9 @@ std::string readCommandLine(int argc, char** argv)
     const auto parsed = vo::parseOptions({argv + 1, argv + argc}, vo::OptionSet::All, voglProgram.options);
     if (!parsed) return parsed.failure().text;
     options = *parsed;
+    if (options.frames > 0)
+        if (const auto named = vo::checkFrameName("-output", options.output); !named)
+            return named.failure().text;
     const int count = int(options.files.size());
     if (options.help || options.version ||
         (count >= voglProgram.leastArguments && count <= voglProgram.mostArguments))

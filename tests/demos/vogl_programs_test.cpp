@@ -251,6 +251,37 @@ TEST_F(VoglPrograms, framesPrintOneLineOfTimes)
         << "the turn ends where it began";
 }
 
+TEST_F(VoglPrograms, numberedPicturesOfATurnAreThoseOfVorender)
+{
+    writeBlob("blob.tif");
+    const std::string words = "blob.tif -view 10 20 -size 60 50 ";
+    const ProgramRun turned = folder.run("voglBasic", words + "-frames 3 -output x%02d.png");
+    EXPECT_EQ(turned.status, 0);
+    EXPECT_EQ(turned.errors, "");
+    EXPECT_EQ(folder.files().size(), 4u) << "the volume and three pictures";
+    ASSERT_EQ(folder.run("vorender", words + "-frames 3 -output v%02d.png").status, 0);
+    for (const auto& [number, view] : {std::pair("00", "10 20"), {"01", "10 140"}, {"02", "10 260"}}) {
+        const auto picture = vo::readPng(folder / ("x" + std::string(number) + ".png")),
+                   rendered = vo::readPng(folder / ("v" + std::string(number) + ".png"));
+        ASSERT_TRUE(picture && rendered) << number;
+        EXPECT_EQ(picture->bytes, draw("blob.tif -size 60 50 -view " + std::string(view)).bytes) << number;
+        EXPECT_LE(vo::difference(*picture, *rendered).pixelsBeyondOne, 60 * 50 / 500) << number;
+    }
+    const ProgramRun refused = folder.run("voglBasic", words + "-frames 3 -output x%s.png");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.errors.find("option -output: expected a name with a %d"), std::string::npos)
+        << refused.errors;
+}
+
+TEST_F(VoglPrograms, timesAloneWriteNoPicture)
+{
+    writeBlob("blob.tif");
+    const ProgramRun run = folder.run("voglBasic", "blob.tif -size 20 20 -frames 2");
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.output.find("2 frames, median "), 0u) << run.output;
+    EXPECT_EQ(folder.files(), std::vector<std::string>{"blob.tif"});
+}
+
 TEST_F(VoglPrograms, withoutADisplayThePictureIsNamedAfterTheProgram)
 {
     writeBlob("blob.tif");

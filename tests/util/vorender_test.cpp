@@ -208,6 +208,49 @@ TEST_F(Vorender, framesAreThePicturesOfTheirViews)
     EXPECT_NE(bytesOf("f00.png"), bytesOf("f01.png"));
 }
 
+TEST_F(Vorender, namesWithoutANumberShowTheView)
+{
+    writeCube("c.raw", 12, [](int x, int y, int z) { return x * 20 * (y > 5) + 3 * z; });
+    const std::string volume = "-raw 12 12 12 uchar c.raw -size 40 40 -view 10 20 ";
+    draws(volume + "-output one.png -depth one.raw");
+    draws(volume + "-output 100%d.png");
+    EXPECT_EQ(bytesOf("100%d.png"), bytesOf("one.png")) << "no turn: the name as it is";
+    for (const char* names : {"-output p.png -depth d%d.raw", "-output p.png"}) {
+        const auto turned = run(volume + "-frames 3 " + names);
+        EXPECT_EQ(turned.status, 0);
+        EXPECT_EQ(turned.output.find("vorender: p.png: has no %d"), 0u) << turned.output;
+        EXPECT_EQ(std::ranges::count(turned.output, '\n'), 1);
+        EXPECT_EQ(bytesOf("p.png"), bytesOf("one.png")) << names;
+    }
+    EXPECT_EQ(bytesOf("d0.raw"), bytesOf("one.raw"));
+    EXPECT_EQ(folder_.fileCount(), 8) << "c.raw, one.png, one.raw, 100%d.png, p.png, d0.raw to d2.raw";
+}
+
+TEST_F(Vorender, namesOfOneFileAreRefusedHoweverSpelled)
+{
+    writeCube("c.raw", 8, [](int x, int, int) { return x; });
+    std::filesystem::create_directory(folder_ / "in");
+    std::filesystem::create_directory_symlink("in", folder_ / "link");
+    std::filesystem::create_symlink("p0.png", folder_ / "p1.png");
+    writeFile(folder_ / "p0.png", "");
+    const std::string raw = "-raw 8 8 8 uchar c.raw ", here = "$PWD/";
+    const auto refuses = [&](const std::string& words, const char* option, const char* found) {
+        expectFails(raw + words, {option, "expected another file", found});
+    };
+    refuses("-output ./n.raw -depth n.raw", "-depth", "'n.raw'");
+    refuses("-output n.png -depth in/../n.png", "-depth", "'in/../n.png'");
+    refuses("-output n.png -depth " + here + "n.png", "-depth", "/n.png'");
+    refuses("-output in/n.png -depth link/n.png", "-depth", "'link/n.png'");
+    refuses("-output w%d.png -depth ./w%d.png -frames 2", "-depth", "'./w0.png'");
+    refuses("-output w%d.png -depth w%01d.png -frames 2", "-depth", "'w0.png'");
+    refuses("-output w1.png -depth w%d.png -frames 2", "-depth", "'w1.png'");
+    refuses("-output p%d.png -frames 2", "-output", "'p1.png'");
+    refuses("-output p0.png -depth p1.png", "-depth", "'p1.png'");
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "in"));
+    draws(raw + "-size 8 8 -output w%d.png -depth w%02d.png -frames 2");
+    draws(raw + "-size 8 8 -output n.raw -depth in/n.raw");
+}
+
 TEST_F(Vorender, rawFilesOfEveryKindGiveOnePicture)
 {
     const VolumeTruth truth({{7, 6, 5}, 1, ChannelType::uint16});
@@ -260,7 +303,8 @@ TEST_F(Vorender, badCommandLinesGiveOneLineAndNoFile)
     expectFails(raw + "-core -output p.png", {"option -core: expected a program that draws with OpenGL"});
     expectFails(raw + "-engine cast -output p.png",
                 {"option -engine: expected a program that draws with OpenGL"});
-    expectFails(raw + "-frames 3 -output p.png", {"option -output: expected a name with a %d", "'p.png'"});
+    expectFails(raw + "-frames 3 -output p%d%d.png",
+                {"option -output: expected a name with a %d", "'p%d%d.png'"});
     expectFails(raw + "-frames 3 -depth p%s.png", {"option -depth: expected a name with a %d"});
     expectFails(raw + "-output p.png -depth p.png", {"option -depth: expected another file"});
     expectFails(raw + "-shells -2D -output p.png", {"option -shells: expected 3D textures, found -2D"});

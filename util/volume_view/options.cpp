@@ -208,7 +208,7 @@ const std::vector<Option>& optionTable()
          {"W", "H"},
          Ours,
          Simple,
-         "pixels of the window or picture, at most 67108864 in all (default 512 512)",
+         "pixels of the window or picture, at most 16384 a side and 67108864 in all (default 512 512)",
          readSize},
         {"view",
          {"LATITUDE", "LONGITUDE"},
@@ -266,7 +266,9 @@ const std::vector<Option>& optionTable()
          {"N"},
          Ours,
          All,
-         "turn once round in N frames and print the median time of a frame",
+         "turn once round in N frames and print the median time of a frame; an -output with a %d or %03d "
+         "gets\n"
+         "a picture of each, numbered from 0, any other the view alone; without -output there is none",
          [](Options& o, Arguments& a) { o.frames = a.integer(1, 1000000, "a number of frames"); }},
         {"engine",
          {"slices|cast"},
