@@ -84,15 +84,18 @@ OpenVolumes& openVolumes()
     return volumes;
 }
 
+void printNotes(const std::string& path, const vo::VolumeFile& volume)
+{
+    for (const std::string& note : volume.description().notes)
+        std::fprintf(stderr, "%s: %s: %s\n", program_invocation_short_name, path.c_str(), note.c_str());
+}
+
 /// The open volume of any format; what it has to say about itself is printed when it is opened.
 vo::Result<vo::VolumeFile*> openedVolume(const std::string& path)
 {
     return openVolumes().find("volume " + path, path, [&path] {
         auto volume = vo::openVolume(path);
-        if (volume)
-            for (const std::string& note : volume->description().notes)
-                std::fprintf(stderr, "%s: %s: %s\n", program_invocation_short_name, path.c_str(),
-                             note.c_str());
+        if (volume) printNotes(path, *volume);
         return volume;
     });
 }
@@ -178,7 +181,11 @@ int readRawBrick(char** fileNames, void* data, const vo::Region& region, const v
 
     const std::string first = paths.empty() ? "raw slices" : paths.front();
     const std::lock_guard guard(openVolumes().lock);
-    const auto volume = openVolumes().find(name, first, [&] { return vo::openRawSlices(paths, layout); });
+    const auto volume = openVolumes().find(name, first, [&] {
+        auto opened = vo::openRawSlices(paths, layout);
+        if (opened) printNotes(first, *opened);
+        return opened;
+    });
     if (!volume) return fail(volume.failure().text);
     return readBrick(first, **volume, data, region);
 }

@@ -3,6 +3,7 @@
 #include "data_type.h"
 
 #include <charconv>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 
@@ -40,6 +41,8 @@ VoglSource openRawFiles(const char* program, std::span<char* const> arguments, b
     source.name = names.front();
     auto opened = names.size() == 1 ? vo::openRawVolume(names[0], layout) : vo::openRawSlices(names, layout);
     if (!opened) voglFail(program, opened.failure().text);
+    for (const std::string& note : opened->description().notes)
+        fprintf(stderr, "%s: %s: %s\n", program, source.name.c_str(), note.c_str());
     // The function that reads bricks keeps the files open.
     const auto file = std::make_shared<vo::VolumeFile>(std::move(*opened));
     source.readBrick = [=](void* data, const int origin[3], const int size[3]) {

@@ -97,6 +97,24 @@ TEST_F(RawTest, longerFileIsRead)
     auto volume = openRawVolume(path_, {truth.info()});
     ASSERT_TRUE(volume);
     expectReadsAs(*volume, truth);
+    EXPECT_EQ(volume->description().notes,
+              std::vector<std::string>{"100 bytes after the voxels are left over"});
+}
+
+TEST_F(RawTest, bytesLeftOverAreCountedOverAllSlices)
+{
+    const VolumeTruth truth({{4, 3, 3}, 1, ChannelType::uint16});
+    const auto paths = writeSlices(truth, 9, nativeByteOrder());
+    auto exact = openRawSlices(paths, {truth.info(), 9});
+    ASSERT_TRUE(exact);
+    EXPECT_TRUE(exact->description().notes.empty());
+    std::filesystem::resize_file(paths[0], 9 + 24 + 5);
+    std::filesystem::resize_file(paths[2], 9 + 24 + 2);
+    auto longer = openRawSlices(paths, {truth.info(), 9});
+    ASSERT_TRUE(longer);
+    expectReadsAs(*longer, truth);
+    EXPECT_EQ(longer->description().notes,
+              std::vector<std::string>{"7 bytes after the voxels in 2 of 3 files are left over"});
 }
 
 TEST_F(RawTest, shortFileSaysWhatIsMissing)

@@ -544,6 +544,38 @@ TEST_F(VolumeFormats, metaImageOfEveryTypeIsRead)
         }
 }
 
+TEST_F(VolumeFormats, distancesThatAreNoneAreNoted)
+{
+    using Spacing = std::array<double, 3>;
+    const auto metaImage = [this](const std::string& words) {
+        return description(file(
+            "a.mha", metaHeader(truth_, {}, "ElementSpacing = " + words + "\nElementDataFile = LOCAL\n") +
+                         voxelsInFile(truth_, {}, false)));
+    };
+    EXPECT_TRUE(metaImage("2 3 4").notes.empty());
+    for (const std::string words : {"0 3 4", "nan 3 4", "2 inf 4", "two 3 4"}) {
+        const auto about = metaImage(words);
+        ASSERT_EQ(about.notes.size(), 1u) << words;
+        expectSays(about.notes[0], {"ElementSpacing", "above 0", words.c_str(), "it is not used"});
+        EXPECT_FALSE(about.spacingKnown);
+        EXPECT_EQ(about.spacing, (Spacing{1, 1, 1}));
+    }
+    const auto negative = metaImage("2 -3 4");
+    ASSERT_EQ(negative.notes.size(), 1u);
+    expectSays(negative.notes[0], {"ElementSpacing", "2 -3 4", "signs are not used"});
+    EXPECT_EQ(negative.spacing, (Spacing{2, 3, 4}));
+
+    NiftiFile nifti = niftiOf(truth_, {}, spacing_);
+    nifti.sform = 0;
+    for (const auto& [distance, notes] : {std::pair(2.0, 0u), {0.0, 1u}, {std::nan(""), 1u}, {-2.0, 0u}}) {
+        nifti.pixdim = {distance, 3, 4};
+        const auto about = description(file("a.nii", nifti.header() + voxelsInFile(truth_, {}, false)));
+        ASSERT_EQ(about.notes.size(), notes) << distance;
+        EXPECT_EQ(about.spacing, (Spacing{notes == 0 ? 2.0 : 1.0, 3, 4})) << distance;
+        if (notes) expectSays(about.notes[0], {"pixdim[1]", "1 is used"});
+    }
+}
+
 TEST_F(VolumeFormats, everyAxisOrderOfMetaImageArrivesAsRightFrontUp)
 {
     for (const AxisOrder& order : allAxisOrders()) {

@@ -146,6 +146,16 @@ Result<StoredLayout> layoutOf(const MetaHeader& header, std::int64_t& volumes)
     return layout;
 }
 
+bool isDistance(double value)
+{
+    return std::isfinite(value) && value > 0;
+}
+
+bool isDistanceOrItsNegative(double value)
+{
+    return isDistance(std::abs(value));
+}
+
 /// Unit vectors along the axes in the frame left, back, up; none where the file does not say. The letters of
 /// AnatomicalOrientation tell where axes come from, not where they lead.
 std::optional<std::array<Vector3, 3>> directions(const MetaHeader& header)
@@ -170,13 +180,19 @@ std::optional<std::array<Vector3, 3>> directions(const MetaHeader& header)
     return axes;
 }
 
-Placement placementOf(const MetaHeader& header)
+Placement placementOf(const MetaHeader& header, std::vector<std::string>& notes)
 {
     Vector3 spacing{std::nan(""), 1, 1};
     const std::string value = header.field({"ElementSpacing", "ElementSize"});
     if (const auto found = numbers<double>(header, "ElementSpacing", value, 1))
         for (std::size_t i = 0; i < 3 && i < found->size(); ++i)
-            spacing[i] = std::abs((*found)[i]);
+            spacing[i] = (*found)[i];
+    if (!value.empty() && !std::ranges::all_of(spacing, isDistance))
+        notes.push_back(
+            "expected an ElementSpacing of numbers above 0, found \"" + printable(value) + "\"; " +
+            (std::ranges::all_of(spacing, isDistanceOrItsNegative) ? "signs are" : "it is") + " not used");
+    for (double& distance : spacing)
+        distance = std::abs(distance);
     const Placement unturned = fileOrder(spacing);
     const auto axes = directions(header);
     if (!axes) return unturned;
@@ -243,7 +259,8 @@ Result<VolumeFile> openMetaImageVolume(const std::string& path)
     VolumeDescription about;
     about.format = "MetaImage";
     if (volumes > 1) about.notes.push_back("the first of " + std::to_string(volumes) + " volumes is read");
-    return openStoredVoxels(*layout, placementOf(*header), std::move(*source), std::move(about));
+    const Placement placement = placementOf(*header, about.notes);
+    return openStoredVoxels(*layout, placement, std::move(*source), std::move(about));
 }
 
 } // namespace vo

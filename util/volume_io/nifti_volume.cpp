@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <nifti/nifti2_io.h>
@@ -207,7 +208,21 @@ std::optional<Placement> placementOf(const nifti_dmat44& matrix, double millimet
     return placementOfSteps(steps);
 }
 
-Placement placementOf(const nifti_image& image, VolumeDescription& about)
+/// Notes distances that are none in the file's header: libnifti takes 1 for them.
+template <class Header>
+void noteDistances(const Header& header, VolumeDescription& about)
+{
+    for (int axis = 1; axis <= std::min<int>(int(header.dim[0]), 3); ++axis) {
+        const double distance = double(header.pixdim[axis]);
+        if (header.dim[axis] == 1 || (std::isfinite(distance) && distance != 0)) continue;
+        char found[64];
+        std::snprintf(found, sizeof found, "%g", distance);
+        about.notes.push_back("expected a distance of voxels above 0 in pixdim[" + std::to_string(axis) +
+                              "], found " + found + "; 1 is used");
+    }
+}
+
+Placement placementOf(const NiftiHeader& header, const nifti_image& image, VolumeDescription& about)
 {
     const double millimetres = image.xyz_units == NIFTI_UNITS_METER    ? 1e3
                                : image.xyz_units == NIFTI_UNITS_MICRON ? 1e-3
@@ -216,6 +231,7 @@ Placement placementOf(const nifti_image& image, VolumeDescription& about)
         if (const auto found = placementOf(image.sto_xyz, millimetres)) return *found;
         about.notes.emplace_back("the sform is no transformation of space and is not used");
     }
+    header.version == 1 ? noteDistances(header.one, about) : noteDistances(header.two, about);
     if (image.qform_code > 0) {
         if (const auto found = placementOf(image.qto_xyz, millimetres)) return *found;
         about.notes.emplace_back("the qform is no transformation of space and is not used");
@@ -260,7 +276,7 @@ Result<VolumeFile> openNiftiVolume(const std::string& path)
         about.slope = slope;
         about.intercept = intercept;
     }
-    const Placement placement = placementOf(**image, about);
+    const Placement placement = placementOf(*header, **image, about);
     std::string voxels = header->path;
     if (header->voxelsApart) voxels = paired.empty() ? pairedFile(path, ".hdr", ".img") : path;
     if (voxels.empty())

@@ -32,11 +32,21 @@ Result<std::int64_t> checkedBytes(const std::string& path, const RawLayout& layo
     return storedBytes(path, storedLayout(layout));
 }
 
+/// For a user who may have the sizes wrong: voxels, or slices, that nobody sees.
+std::string leftOverNote(std::int64_t bytes, std::size_t longer, std::size_t files)
+{
+    const std::string where =
+        files > 1 ? " in " + std::to_string(longer) + " of " + std::to_string(files) + " files" : "";
+    return std::to_string(bytes) + " bytes after the voxels" + where + " are left over";
+}
+
 /// The volume whose bytes the files share evenly.
 Result<VolumeFile> openPieces(const std::vector<std::string>& paths, const RawLayout& layout,
                               std::int64_t bytesPerFile)
 {
     std::vector<FilePiece> pieces;
+    std::int64_t leftOver = 0;
+    std::size_t longer = 0;
     for (const std::string& path : paths) {
         const auto file = InputFile::open(path);
         if (!file) return file.failure();
@@ -46,11 +56,15 @@ Result<VolumeFile> openPieces(const std::vector<std::string>& paths, const RawLa
                            " bytes and " + std::to_string(bytesPerFile) + " bytes of voxels, found " +
                            std::to_string(file->size()) + " bytes"};
         pieces.push_back({path, layout.headerLength});
+        const std::int64_t rest = file->size() - layout.headerLength - bytesPerFile;
+        leftOver += rest;
+        longer += rest > 0;
     }
     auto bytes = bytesInFiles(std::move(pieces), bytesPerFile);
     if (!bytes) return bytes.failure();
     VolumeDescription about;
     about.format = "raw";
+    if (leftOver > 0) about.notes.push_back(leftOverNote(leftOver, longer, paths.size()));
     return openStoredVoxels(storedLayout(layout), Placement(), std::move(*bytes), std::move(about));
 }
 

@@ -156,8 +156,8 @@ struct RawLayout
 /// float; a failure for any other name, in which `what` names the argument.
 Result<ChannelType> rawChannelType(const std::string& what, const std::string& name);
 
-/// Opens a volume that lies in one file, slice after slice. The file may be longer than the volume, not
-/// shorter.
+/// Opens a volume that lies in one file, slice after slice. The file may be longer than the volume, of which
+/// a note tells, not shorter.
 Result<VolumeFile> openRawVolume(const std::string& path, const RawLayout& layout);
 
 /// Opens a volume whose slice z lies in paths[z], each after a header of its own. There are as many paths as
