@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "utility.h"
+#include "volume_io/memory_block.h"
 #include "volume_io/volume_io.h"
 
 namespace {
@@ -61,19 +62,21 @@ vo::Result<void> writeCubes(const Request& request)
 {
     auto writer = vo::TiffStackWriter::create(request.path, {request.size, 1, vo::ChannelType::uint8});
     if (!writer) return writer.failure();
-    std::vector<std::uint8_t> alongX(static_cast<std::size_t>(request.size[0]));
-    for (std::size_t x = 0; x < alongX.size(); ++x)
-        alongX[x] = intensityAlongAxis(static_cast<std::int64_t>(x), request.cubeSize);
+    const auto block = vo::MemoryBlock::allocate(request.path, 2 * request.size[0]);
+    if (!block) return block.failure();
+    const auto length = static_cast<std::size_t>(request.size[0]);
+    const auto alongX = block->bytes().first(length), row = block->bytes().last(length);
+    for (std::size_t x = 0; x < length; ++x)
+        alongX[x] = std::byte(intensityAlongAxis(static_cast<std::int64_t>(x), request.cubeSize));
 
-    std::vector<std::uint8_t> row(alongX.size());
     for (std::int64_t z = 0; z < request.size[2]; ++z) {
         for (std::int64_t y = 0; y < request.size[1]; ++y) {
             if (vo::interrupted()) return vo::Failure{request.path + ": interrupted, nothing written"};
-            const std::uint8_t most =
-                std::min(intensityAlongAxis(y, request.cubeSize), intensityAlongAxis(z, request.cubeSize));
+            const std::byte most{
+                std::min(intensityAlongAxis(y, request.cubeSize), intensityAlongAxis(z, request.cubeSize))};
             std::ranges::transform(alongX, row.begin(),
-                                   [most](std::uint8_t along) { return std::min(along, most); });
-            if (auto written = writer->appendRows(std::as_bytes(std::span(row))); !written) return written;
+                                   [most](std::byte along) { return std::min(along, most); });
+            if (auto written = writer->appendRows(row); !written) return written;
         }
         vo::showProgress("mkcubes", "slice", z + 1, request.size[2]);
     }

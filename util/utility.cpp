@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace vo {
@@ -60,11 +61,16 @@ try {
         return print(utility, "Volumizer " VOLUMIZER_VERSION "\n");
     std::signal(SIGINT, [](int) { interruptedFlag = 1; });
     std::signal(SIGTERM, [](int) { interruptedFlag = 1; });
+    // Past the largest size of a file that is allowed writing then fails, and cleans up, as on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     const auto done = utility.run({argv + 1, argv + argc});
     if (!done) std::fflush(stdout);
     return done ? flushed(utility) : fail(utility, done.failure().text);
 } catch (const std::bad_alloc&) {
-    return fail(utility, "expected enough memory for some rows of voxels, found less");
+    rusage used{};
+    ::getrusage(RUSAGE_SELF, &used);
+    return fail(utility, "expected more memory than the " + std::to_string(used.ru_maxrss) +
+                             " KiB in use, found no more");
 }
 
 bool interrupted()

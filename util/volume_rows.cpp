@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "utility.h"
+#include "volume_io/memory_block.h"
 
 namespace vo {
 
@@ -13,12 +14,13 @@ Result<void> readRows(const RowReader& reader, VolumeFile& volume,
     const auto& size = volume.info().size;
     const std::int64_t rowBytes = size[0] * volume.info().bytesPerVoxel();
     const std::int64_t rowsAtOnce = std::clamp<std::int64_t>(kBytesAtOnce / rowBytes, 1, size[1]);
-    std::vector<std::byte> rows;
+    const auto block = MemoryBlock::allocate(reader.path, rowsAtOnce * rowBytes);
+    if (!block) return block.failure();
     for (std::int64_t z = 0; z < size[2]; ++z) {
         for (std::int64_t y = 0; y < size[1]; y += rowsAtOnce) {
             if (interrupted()) return Failure{reader.path + ": " + reader.whenInterrupted};
             const std::int64_t count = std::min(rowsAtOnce, size[1] - y);
-            rows.resize(static_cast<std::size_t>(count * rowBytes));
+            const auto rows = block->bytes().first(static_cast<std::size_t>(count * rowBytes));
             if (auto read = volume.readBrick({{0, y, z}, {size[0], count, 1}}, rows); !read) return read;
             if (auto taken = take(rows); !taken) return taken;
         }

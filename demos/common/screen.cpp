@@ -7,6 +7,7 @@
 
 #include <vo/FloatTarget.h>
 
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <vector>
@@ -57,6 +58,8 @@ int showWithoutWindow(const ScreenRequest& request, const ScreenCallbacks& callb
                        .height = request.height},
                       &whyNot);
     if (!context) return fail(request, "no OpenGL without a window: " + whyNot);
+    // Past the largest size of a file that is allowed writing then fails, and cleans up, as on a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     gl = &context->gl();
     callbacks.initialize();
     const bool done = drawAndWrite(request, callbacks, output);

@@ -142,6 +142,29 @@ TEST(Mkcubes, fullDiskGivesOneLineAndNoFile)
     EXPECT_TRUE(folder.isEmpty());
 }
 
+TEST(Mkcubes, limitOnTheSizeOfFilesGivesOneLineAndNoFile)
+{
+    ScratchFolder folder;
+    const auto run = runProgram("cd '" + (folder / "") + "' && ulimit -f 8 && " MKCUBES " 64 64 64 8 a.tif");
+    EXPECT_EQ(run.status, 1);
+    ASSERT_FALSE(run.output.empty());
+    expectSays(run.output.substr(0, run.output.size() - 1), {"mkcubes: a.tif: cannot write"});
+    EXPECT_TRUE(folder.isEmpty());
+}
+
+TEST(Mkcubes, memoryThatIsNotThereIsNamed)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more than any limit";
+#endif
+    ScratchFolder folder;
+    const auto run =
+        runProgram("cd '" + (folder / "") + "' && ulimit -v 500000 && " MKCUBES " 500000000 1 1 8 a.tif");
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.output, "mkcubes: a.tif: expected memory for 500000000 bytes of voxels, found less\n");
+    EXPECT_TRUE(folder.isEmpty());
+}
+
 TEST(Mkcubes, interruptedLeavesNoFile)
 {
     ScratchFolder folder;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "file_beside.h"
+#include "memory_block.h"
 #include "tiff_handle.h"
 #include "volume_reader.h"
 
@@ -88,9 +89,9 @@ struct TiffStackWriter::State
     VolumeInfo info;
     Compression compression = Compression::none;
     FileBeside file;
-    TiffHandle tiff;            // goes before the file that it writes to
-    std::vector<std::byte> row; // libtiff's predictors work in the caller's memory
-    std::int64_t y = 0, z = 0;  // the row to come
+    TiffHandle tiff;           // goes before the file that it writes to
+    MemoryBlock row;           // libtiff's predictors work in the caller's memory
+    std::int64_t y = 0, z = 0; // the row to come
 
     Result<void> writeRow(std::span<const std::byte> bytes);
 };
@@ -100,8 +101,8 @@ Result<void> TiffStackWriter::State::writeRow(std::span<const std::byte> bytes)
     if (z == info.size[2])
         return Failure{path + ": expected " + std::to_string(info.size[2]) + " slices, found more rows"};
     if (y == 0) setPageFields(tiff.get(), info, compression, z);
-    std::ranges::copy(bytes, row.begin());
-    bool good = TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(y)) == 1;
+    std::ranges::copy(bytes, row.bytes().begin());
+    bool good = TIFFWriteScanline(tiff.get(), row.bytes().data(), static_cast<std::uint32_t>(y)) == 1;
     if (good && ++y == info.size[1]) {
         good = TIFFWriteDirectory(tiff.get()) == 1;
         y = 0;
@@ -132,9 +133,10 @@ Result<TiffStackWriter> TiffStackWriter::create(const std::string& path, const V
     if (!file) return file.failure();
     auto tiff = TiffHandle::write(file->temporaryPath(), path, big);
     if (!tiff) return tiff.failure();
-    std::vector<std::byte> row(static_cast<std::size_t>(info.size[0] * info.bytesPerVoxel()));
+    auto row = MemoryBlock::allocate(path, info.size[0] * info.bytesPerVoxel());
+    if (!row) return row.failure();
     return TiffStackWriter(std::unique_ptr<State>(
-        new State{path, info, options.compression, std::move(*file), std::move(*tiff), std::move(row)}));
+        new State{path, info, options.compression, std::move(*file), std::move(*tiff), std::move(*row)}));
 }
 
 TiffStackWriter::TiffStackWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -144,7 +146,7 @@ TiffStackWriter::~TiffStackWriter() = default;
 
 Result<void> TiffStackWriter::appendRows(std::span<const std::byte> rows)
 {
-    const std::size_t rowBytes = state_->row.size();
+    const std::size_t rowBytes = state_->row.bytes().size();
     if (rows.size() % rowBytes != 0)
         return Failure{state_->path + ": expected whole rows of " + std::to_string(rowBytes) +
                        " bytes, found " + std::to_string(rows.size()) + " bytes"};
