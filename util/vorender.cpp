@@ -9,6 +9,7 @@
 #include "volume_view/defaults.h"
 
 #include <future>
+#include <new>
 
 namespace {
 
@@ -89,7 +90,7 @@ public:
     }
 
     vo::Result<void> run()
-    {
+    try {
         const int count = vo::pictureCount(options_);
         for (int frame = 0; frame < count; ++frame) {
             if (vo::interrupted()) return vo::Failure{"interrupted"};
@@ -97,6 +98,12 @@ public:
             if (options_.frames > 0) vo::showProgress(kProgram, "frame", frame + 1, count);
         }
         return written();
+    } catch (const std::bad_alloc&) {
+        const auto [width, height] = std::pair(options_.view.width, options_.view.height);
+        return vo::Failure{"option -size: expected memory beside the volume's for a picture of " +
+                           std::to_string(width) + " x " + std::to_string(height) + " pixels, " +
+                           std::to_string(std::int64_t(width) * height * 16) +
+                           " bytes each time that it is held, found less"};
     }
 
 private:
@@ -151,6 +158,7 @@ vo::Result<void> run(const std::vector<std::string>& words)
     const auto scene = openScene(*options);
     if (!scene) return scene.failure();
     noteWhatIsNotNumbered(*options);
+    if (const std::string vain = vo::withoutEffect(options->view); !vain.empty()) vo::warn(kProgram, vain);
     return FrameWriter(*options, *scene).run();
 }
 

@@ -35,19 +35,17 @@ Model modelOf(const VoxelSize& size, const std::array<float, 3>& scale)
     return model;
 }
 
-Result<void> checkBricks(const Options& options, const VoxelSize& size)
+/// Refuses what voglBasic refuses, and bricks that would show seams.
+Result<void> checkCuts(const Options& options, const VoxelSize& size)
 {
-    if (!options.bricks) return {};
-    double count = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-        const int bricks = (*options.bricks)[static_cast<std::size_t>(axis)];
-        const std::int64_t brick = brickSizeFor(size[axis], bricks, options.overlap);
-        if (brick > 1 && brick <= options.overlap)
-            return Failure{"option -overlap: expected fewer voxels than a brick has on each side (" +
-                           std::to_string(brick) + "), found '" + std::to_string(options.overlap) + "'"};
-        count *= bricks;
+    std::array<std::int64_t, 3> volume{}, brick{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        volume[axis] = size[static_cast<int>(axis)];
+        brick[axis] = options.bricks ? brickSizeFor(volume[axis], (*options.bricks)[axis], options.overlap)
+                                     : volume[axis];
     }
-    if (options.overlap == 0 && count > 1)
+    if (auto fit = checkBricks(options, volume, brick); !fit) return fit;
+    if (options.overlap == 0 && brick != volume)
         return Failure{"option -bricks: expected an -overlap of 1 or more, without which bricks show seams, "
                        "found '0'"};
     return {};
@@ -60,7 +58,7 @@ Result<VolumeScene> VolumeScene::make(LoadedVolume volume, const Options& option
 {
     VolumeScene scene(std::move(volume), options);
     const VoxelSize& size = scene.volume_.size;
-    if (auto fit = checkBricks(options, size); !fit) return fit.failure();
+    if (auto fit = checkCuts(options, size); !fit) return fit.failure();
     scene.scale_ = voxelScale(options, scene.volume_.spacing);
     const double planes =
         samplingPlaneCount(options, {double(size.x), double(size.y), double(size.z)}, scene.scale_);

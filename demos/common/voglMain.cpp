@@ -6,6 +6,7 @@
 #include "trackball.h"
 #include "voglLookup.h"
 
+#include "volume_view/defaults.h"
 #include "volume_view/frame_names.h"
 
 #include <algorithm>
@@ -231,6 +232,8 @@ int main(int argc, char** argv)
     aVolume = my_InitAppearance(int(arguments.size()) - 1, arguments.data());
     aTetraSet = my_InitGeometry(aVolume);
     if (errorSeen) return 1;
+    if (const std::string vain = vo::withoutEffect(options); !vain.empty())
+        std::fprintf(stderr, "%s: %s\n", programName.c_str(), vain.c_str());
     initModel();
     const int shown = vo::showOnScreen({.program = programName,
                                         .width = options.width,

@@ -16,14 +16,6 @@
 
 namespace {
 
-// Bricks of no more voxels than they share would never get through the volume.
-void checkOverlap(const char* program, int brickSize)
-{
-    if (brickSize == 1 || brickSize > options.overlap) return;
-    voglFail(program, "option -overlap: expected fewer voxels than a brick has on each side (" +
-                          std::to_string(brickSize) + "), found '" + std::to_string(options.overlap) + "'");
-}
-
 double countPlanes(const int volumeSize[3])
 {
     return vo::samplingPlaneCount(options,
@@ -31,19 +23,9 @@ double countPlanes(const int volumeSize[3])
                                   {modelScale[0], modelScale[1], modelScale[2]}, voglProgram.margin);
 }
 
-// Bricks of the largest set: all of the volume, or with 2D textures the slices of one of three directions.
-double countBricks(const int volumeSize[3], const int brickSize[3])
+std::array<std::int64_t, 3> sizes(const int size[3])
 {
-    double along[3];
-    for (int i = 0; i < 3; i++) {
-        const int step = std::max(brickSize[i] - options.overlap, 1);
-        along[i] = std::max(std::ceil(double(volumeSize[i] - options.overlap) / step), 1.0);
-    }
-    if (options.textureDimensions == 3) return along[0] * along[1] * along[2];
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        most = std::max(most, volumeSize[i] * along[(i + 1) % 3] * along[(i + 2) % 3]);
-    return most;
+    return {size[0], size[1], size[2]};
 }
 
 std::string whole(double count)
@@ -64,14 +46,13 @@ void checkPlanes(const char* program, double planes)
 // option asked for may take longer.
 void checkWork(const char* program, const int volumeSize[3], const int brickSize[3])
 {
-    const double mostBricks = 4096;
-    const double planes = countPlanes(volumeSize), bricks = countBricks(volumeSize, brickSize);
+    const double planes = countPlanes(volumeSize);
+    const double bricks = vo::brickCount(options, sizes(volumeSize), sizes(brickSize));
     const std::string given = vo::planeOptionsGiven(options, true);
     const double mostFaceSets = given == "volume: " ? 1e7 : 2e6;
+    if (const auto fit = vo::checkBricks(options, sizes(volumeSize), sizes(brickSize)); !fit)
+        voglFail(program, fit.failure().text);
     checkPlanes(program, planes);
-    if (options.bricks && bricks > mostBricks)
-        voglFail(program,
-                 "option -bricks: expected at most " + whole(mostBricks) + " bricks, found " + whole(bricks));
     if (planes * bricks > mostFaceSets)
         voglFail(program, given + "expected at most " + whole(mostFaceSets) + " planes times bricks, found " +
                               whole(planes) + " planes and " + whole(bricks) + " bricks");
@@ -98,8 +79,6 @@ voBrickSetCollection* makeBricks(const char* program, const VoglSource& source, 
     voAppearanceActions::getBestParameters(interpolationType, renderingMode, source.dataType,
                                            source.diskFormat, internalFormat, externalFormat, brickSize[0],
                                            brickSize[1], brickSize[2]);
-    for (int size : brickSize)
-        checkOverlap(program, size);
     checkWork(program, source.size, brickSize);
 
     // Bricks that do not divide the volume are partly empty: nothing of the volume is dropped.

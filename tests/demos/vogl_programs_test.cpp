@@ -345,6 +345,35 @@ TEST_F(VoglPrograms, badInputIsOneLineAndLeavesNoPicture)
     }
 }
 
+TEST_F(VoglPrograms, bothProgramsRefuseTheSameCuts)
+{
+    writeBlob("blob.tif");
+    vo::writeBytes(folder / "thin.tif", 1, 20, 20, [](int, int y, int z) { return 5 * y + 6 * z; });
+    const auto outcome = [this](const std::string& program, const std::string& words) {
+        const ProgramRun run = folder.run(program, "-size 8 8 -output p.png " + words);
+        const auto said = run.errors.find(": ");
+        return std::pair(run.status, said == std::string::npos ? "" : run.errors.substr(said));
+    };
+    for (const auto& [words, status] : {std::pair("blob.tif -bricks 999 999 999", 1),
+                                        {"blob.tif -bricks 900 1 900", 0},
+                                        {"blob.tif -2D -bricks 9 900 900", 1},
+                                        {"blob.tif -overlap 500", 1},
+                                        {"blob.tif -overlap 16", 1},
+                                        {"blob.tif -overlap 15", 0},
+                                        {"blob.tif -bricks 3 3 3 -overlap 12", 0},
+                                        {"thin.tif -overlap 2", 0},
+                                        {"thin.tif -overlap 20", 1},
+                                        {"blob.tif -shells", 0}}) {
+        const auto drawn = outcome("voglBasic", words), rendered = outcome("vorender", words);
+        EXPECT_EQ(drawn.first, status) << words << drawn.second;
+        EXPECT_EQ(rendered, drawn) << words << rendered.second;
+    }
+    const std::string vain =
+        ": option -shells: without effect, expected -perspective beside it, found none\n";
+    EXPECT_EQ(outcome("voglBasic", "blob.tif -shells").second, vain);
+    EXPECT_EQ(outcome("voglBasic", "blob.tif -shells -perspective 30").second, "");
+}
+
 TEST_F(VoglPrograms, fullOutputDeviceFails)
 {
     const std::string programs = VOLUMIZER_PROGRAMS;
@@ -352,6 +381,21 @@ TEST_F(VoglPrograms, fullOutputDeviceFails)
         const ProgramRun run = folder.run("/bin/sh", {"-c", programs + "/" + program + " -help >/dev/full"});
         EXPECT_EQ(run.status, 1);
         EXPECT_EQ(run.errors, std::string(program) + ": cannot write to standard output\n");
+    }
+}
+
+TEST_F(VoglPrograms, limitOnTheSizeOfFilesGivesOneLineAndNoPicture)
+{
+    writeBlob("blob.tif");
+    const std::string programs = VOLUMIZER_PROGRAMS;
+    for (const char* program : {"voglBasic", "voglSimple"}) {
+        const ProgramRun run =
+            folder.run("/bin/sh", {"-c", "ulimit -f 4 && " + programs + "/" + program +
+                                             " blob.tif -view 20 30 -size 400 400 -output p.png"});
+        EXPECT_EQ(run.status, 1) << program;
+        EXPECT_EQ(run.errors.find(std::string(program) + ": p.png: cannot write"), 0u) << run.errors;
+        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        EXPECT_EQ(folder.files(), std::vector<std::string>{"blob.tif"}) << program;
     }
 }
 

@@ -312,6 +312,10 @@ TEST_F(Vorender, badCommandLinesGiveOneLineAndNoFile)
                 {"option -sampling: expected at most 65536 sampling planes"});
     expectFails(raw + "-bricks 2 2 2 -overlap 0 -output p.png",
                 {"option -bricks: expected an -overlap of 1 or more"});
+    expectFails(raw + "-bricks 7 7 7 -overlap 0 -output p.png",
+                {"option -bricks: expected an -overlap of 1 or more"});
+    expectFails(raw + "-overlap 500 -output p.png",
+                {"option -overlap: expected fewer voxels than a brick has on each side (8)", "'500'"});
     expectFails(raw + "-overlap 8 -bricks 1 1 1 -output p.png",
                 {"option -overlap: expected fewer voxels", "'8'"});
     expectFails("-raw 8 8 8 double c.raw -output p.png", {"option -raw: expected char, uchar", "'double'"});
@@ -339,6 +343,37 @@ TEST_F(Vorender, volumesAreNotReplaced)
     draws(raw + "-output p.raw");
     draws(raw + "-output p.raw");
     EXPECT_EQ(bytesOf("p.raw").size(), 3200u);
+}
+
+TEST_F(Vorender, memoryThatIsNotThereIsNamed)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "the address sanitizer reserves more than any limit";
+#endif
+    writeCube("c.raw", 8, [](int x, int, int) { return x; });
+    const auto limited = runProgram("cd '" + (folder_ / "") +
+                                    "' && ulimit -v 1500000 && VO_THREADS=1 " VORENDER
+                                    " -raw 8 8 8 uchar c.raw -size 8192 8192 -output p.png");
+    EXPECT_EQ(limited.status, 1);
+    ASSERT_EQ(std::ranges::count(limited.output, '\n'), 1) << limited.output;
+    expectSays(limited.output.substr(0, limited.output.size() - 1),
+               {"-size: expected memory", "8192 x 8192", "1073741824 bytes"});
+    EXPECT_EQ(folder_.fileCount(), 1);
+}
+
+TEST_F(Vorender, limitOnTheSizeOfFilesGivesOneLineAndNoFile)
+{
+    writeCube("c.raw", 8, [](int x, int y, int z) { return x * 31 + y * 17 + z; });
+    for (const std::string output : {"-output p.png", "-output p.raw", "-depth d.raw"}) {
+        const auto limited = runProgram("cd '" + (folder_ / "") +
+                                        "' && ulimit -f 8 && " VORENDER
+                                        " -raw 8 8 8 uchar c.raw -sampling 0.1 -view 20 30 -size 300 300 " +
+                                        output);
+        EXPECT_EQ(limited.status, 1) << output;
+        ASSERT_EQ(std::ranges::count(limited.output, '\n'), 1) << output << limited.output;
+        expectSays(limited.output.substr(0, limited.output.size() - 1), {"cannot write"});
+        EXPECT_EQ(folder_.fileCount(), 1) << output;
+    }
 }
 
 TEST_F(Vorender, helpShowsExamplesAndNoOptionThatIsRefused)

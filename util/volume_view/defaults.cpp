@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace vo {
 
@@ -57,6 +58,44 @@ bool inColor(const Options& options, bool tableHasColors)
 std::int64_t brickSizeFor(std::int64_t size, int bricks, int overlap)
 {
     return (size + std::int64_t(bricks - 1) * overlap + bricks - 1) / bricks;
+}
+
+Result<void> checkBricks(const Options& options, const std::array<std::int64_t, 3>& volume,
+                         const std::array<std::int64_t, 3>& brick)
+{
+    // Bricks of no more voxels than they share would never get through the volume.
+    for (const std::int64_t size : brick)
+        if (size > 1 && size <= options.overlap)
+            return Failure{"option -overlap: expected fewer voxels than a brick has on each side (" +
+                           std::to_string(size) + "), found '" + std::to_string(options.overlap) + "'"};
+    const double count = brickCount(options, volume, brick);
+    if (!options.bricks || count <= kMostBricks) return {};
+    char found[400];
+    std::snprintf(found, sizeof found, "option -bricks: expected at most %.0f bricks, found %.0f",
+                  kMostBricks, count);
+    return Failure{found};
+}
+
+double brickCount(const Options& options, const std::array<std::int64_t, 3>& volume,
+                  const std::array<std::int64_t, 3>& brick)
+{
+    std::array<double, 3> along{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double step = double(std::max<std::int64_t>(brick[i] - options.overlap, 1));
+        along[i] = std::max(std::ceil(double(volume[i] - options.overlap) / step), 1.0);
+    }
+    if (options.textureDimensions == 3) return along[0] * along[1] * along[2];
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        most = std::max(most, double(volume[i]) * along[(i + 1) % 3] * along[(i + 2) % 3]);
+    return most;
+}
+
+std::string withoutEffect(const Options& options)
+{
+    if (options.shells && options.perspective == 0)
+        return "option -shells: without effect, expected -perspective beside it, found none";
+    return "";
 }
 
 std::vector<float> tableEntries(const LookupFile& table, int components)

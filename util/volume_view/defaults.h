@@ -12,6 +12,8 @@
 namespace vo {
 
 constexpr double kMostSamplingPlanes = 65536;
+/// Of those that -bricks asks for.
+constexpr double kMostBricks = 4096;
 
 /// Spacing of the voxels along x, y, z as the picture has it: that of -scale, else the file's, the
 /// smallest 1.
@@ -41,6 +43,18 @@ bool inColor(const Options& options, bool tableHasColors);
 
 /// Voxels along a brick of which `bricks`, the last ones partly empty, cover `size` voxels.
 std::int64_t brickSizeFor(std::int64_t size, int bricks, int overlap);
+
+/// A failure for bricks that their overlap does not get through, `brick` voxels each, and for more bricks of
+/// -bricks than programs take.
+Result<void> checkBricks(const Options& options, const std::array<std::int64_t, 3>& volume,
+                         const std::array<std::int64_t, 3>& brick);
+
+/// Bricks of the largest set: all of the volume, or with 2D textures the slices of one of three directions.
+double brickCount(const Options& options, const std::array<std::int64_t, 3>& volume,
+                  const std::array<std::int64_t, 3>& brick);
+
+/// What was asked for and changes nothing, a line; empty: nothing.
+std::string withoutEffect(const Options& options);
 
 /// A table's entries in 4 components (red, green, blue, alpha) or 2 (luminance, alpha).
 std::vector<float> tableEntries(const LookupFile& table, int components);
