@@ -219,16 +219,27 @@ void voglChooseStack(voBrickSetCollection* bricks)
         voGeometryActions::findClosestAxisIndex(modelMatrix, projMatrix, voSamplingModeScope::AXIS_ALIGNED));
 }
 
-void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
-                      voInterleavedArrayType format)
+template <class GeometrySet>
+static void drawOutlines(GeometrySet* set, voBrickSetCollection* bricks, voInterleavedArrayType format)
 {
     if (!options.wireframe) return;
     voAppearanceActions::textureDisable(bricks->getInterpolationType());
     vo::setColor(1, 1, 0, 1);
-    voGeometryActions::draw(tetraSet, GL_LINE, format);
+    voGeometryActions::draw(set, GL_LINE, format);
     if (is2D(bricks)) return;
     vo::setColor(0, 0, 1, 1);
     voGeometryActions::draw(bricks->getCurrentBrickSet());
+}
+
+void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
+                      voInterleavedArrayType format)
+{
+    drawOutlines(tetraSet, bricks, format);
+}
+
+void voglDrawOutlines(voIndexedFaceSet* faceSet, voBrickSetCollection* bricks, voInterleavedArrayType format)
+{
+    drawOutlines(faceSet, bricks, format);
 }
 
 void voglBeginBlending()
@@ -262,10 +273,14 @@ void voglEndSlices(voBrickSetCollection* bricks)
     voglEndBlending();
 }
 
-void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons)
+void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons,
+                   voIndexedFaceSet* outlines)
 {
     voglChooseStack(bricks);
-    voglDrawOutlines(tetraSet, bricks, polygons.getFormat());
+    if (outlines)
+        voglDrawOutlines(outlines, bricks, polygons.getFormat());
+    else
+        voglDrawOutlines(tetraSet, bricks, polygons.getFormat());
     if (options.engine) {
         voglBeginBlending();
         polygons.drawAtOnce();

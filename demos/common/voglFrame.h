@@ -64,6 +64,8 @@ void voglChooseStack(voBrickSetCollection* bricks);
 /** Outlines of tetrahedra (yellow) and, with 3D textures, of bricks (blue), if -wireframe asks for them. */
 void voglDrawOutlines(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks,
                       voInterleavedArrayType format);
+/** The same with polygons in place of the tetrahedra. */
+void voglDrawOutlines(voIndexedFaceSet* faceSet, voBrickSetCollection* bricks, voInterleavedArrayType format);
 
 /** Sets how slices are blended: over what is there, or the maximum with -mip; filled, white, and without
    writing depths. */
@@ -77,5 +79,7 @@ void voglBeginSlices(voBrickSetCollection* bricks, voInterleavedArrayType format
 /** Takes it back. */
 void voglEndSlices(voBrickSetCollection* bricks);
 
-/** All of the above: a whole frame. With -engine the library draws it, else our own loop over slices. */
-void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons);
+/** All of the above: a whole frame. With -engine the library draws it, else our own loop over slices.
+   `outlines`, if any, is outlined instead of the tetrahedra. */
+void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons,
+                   voIndexedFaceSet* outlines = nullptr);

@@ -34,6 +34,7 @@ const VoglProgram voglProgram = {
 static VoglVolume volume;
 static SubCubes subCubes;
 static VoglPolygons* polygons;
+static voIndexedFaceSet* sides; // of the boxes, to outline them
 
 static double readValue(const char* program, const char* word)
 {
@@ -79,6 +80,25 @@ static void appendBox(voIndexedTetraSet* aTetraSet, const float corners[2][3], c
     tetras->setCount(firstIndex + indexCount);
 }
 
+// The six sides of each box. They share the vertices of the tetrahedra, whose diagonals they leave out; the
+// first eight vertices are the whole volume's.
+static voIndexedFaceSet* makeSides(voIndexedTetraSet* aTetraSet, int boxCount)
+{
+    // Corner number 4 z + 2 y + x.
+    static const int corners[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                      {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    voIndexedFaceSet* faces = new voIndexedFaceSet(aTetraSet->getVertexData(), 6 * 5 * boxCount);
+    int count = 0;
+    for (int box = 1; box <= boxCount; box++)
+        for (const auto& side : corners) {
+            (*faces->getIndices())[count++] = 4;
+            for (int corner : side)
+                (*faces->getIndices())[count++] = 8 * box + corner;
+        }
+    faces->getIndices()->setCount(count);
+    return faces;
+}
+
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
     // Corner number 4 z + 2 y + x.
@@ -104,6 +124,7 @@ voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
         const bool odd = (box.lower[0] + box.lower[1] + box.lower[2]) % 2;
         appendBox(aTetraSet, corners, odd ? mirrored : five, 20);
     }
+    sides = makeSides(aTetraSet, boxCount);
     polygons = new VoglPolygons(aTetraSet, volume, voInterleavedArrayTypeScope::V3F);
     printf("kept %d of %d sub-cubes, in %d boxes\n",
            int(std::count(subCubes.needed.begin(), subCubes.needed.end(), 1)), int(subCubes.needed.size()),
@@ -118,7 +139,7 @@ void my_InitGfx(voIndexedTetraSet*, voBrickSetCollection*)
 
 void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume)
 {
-    voglDrawFrame(aTetraSet, aVolume, *polygons);
+    voglDrawFrame(aTetraSet, aVolume, *polygons, sides);
 }
 
 // Pixels that all slices cover in the frame drawn last.
@@ -148,6 +169,7 @@ void my_Cleanup(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
     }
     delete wholeBox;
     delete polygons;
+    delete sides;
     delete aTetraSet;
     deleteLookupTable();
     voglFreeVolume(volume);

@@ -212,6 +212,30 @@ TEST_F(CachedDemos, spaceLeapDrawsWhatBasicDraws)
     }
 }
 
+TEST_F(CachedDemos, spaceLeapOutlinesBoxesWithoutDiagonals)
+{
+    // Two sub-cubes of 8 voxels that do not touch, seen along an axis: 24 voxels span half the diagonal.
+    vo::writeBytes(folder / "two.tif", 24, 24, 24,
+                   [](int x, int, int z) { return (x == 4 && z == 4) || (x == 20 && z == 20) ? 1 : 0; });
+    const Picture p = draw("voglSpaceLeap", "two.tif 1 255 -size 300 300 -wireframe");
+    EXPECT_NE(printed.find("in 2 boxes"), std::string::npos) << printed;
+    const double pixelsPerVoxel = 300 / (24 * std::sqrt(3.0));
+    const auto atEdge = [](double voxel, double low, double high) {
+        return std::min(std::abs(voxel - low), std::abs(voxel - high)) < 0.3;
+    };
+    int outlined = 0;
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 300; ++x) {
+            if (channel(p, x, y, 0) < 100) continue; // yellow
+            const double across = 12 + (x + 0.5 - 150) / pixelsPerVoxel,
+                         up = 12 + (149.5 - y) / pixelsPerVoxel;
+            const double low = across < 12 ? 0 : 16;
+            ++outlined;
+            EXPECT_TRUE(atEdge(across, low, low + 8) || atEdge(up, low, low + 8)) << x << ' ' << y;
+        }
+    EXPECT_GT(outlined, 4 * 2 * 8 * pixelsPerVoxel * 0.9);
+}
+
 struct Kept
 {
     int cubes = 0;
