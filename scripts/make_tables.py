@@ -46,9 +46,9 @@ TABLES = {
     'skin.lut': (
         ['MRI (T1) of a head: the skin as a surface, and nothing beneath it. Made for data/volumes/head.tif.'],
         [(0, 0.00, 0.00, 0.00, 0.000),
-         (55, 0.00, 0.00, 0.00, 0.000),
-         (85, 1.00, 0.82, 0.70, 0.900),
-         (255, 1.00, 0.82, 0.70, 0.900)]),
+         (34, 0.00, 0.00, 0.00, 0.000),
+         (90, 1.00, 0.82, 0.70, 0.500),
+         (255, 1.00, 0.82, 0.70, 0.500)]),
     'spectrum.lut': (
         ['Spectrum from blue (low) over green to red (high), for fields without a colour of their own.',
          'For volumes about 200 slices deep.'],
