@@ -79,7 +79,9 @@ void VoglLookup::make(voBrickSetCollection* aVolume, voRenderingMode renderingMo
         table_->load();
     } else {
         const auto wanted = lut_.value_or(vo::Options::Ramp{(low + high) / 2, high - low});
-        ramp_ = {wanted.center, wanted.width, vo::sliceOpacity(options.sampling, longestSide(brickSet))};
+        const double opacity =
+            rampOpacity_ ? *rampOpacity_ : vo::sliceOpacity(options.sampling, longestSide(brickSet));
+        ramp_ = {wanted.center, wanted.width, opacity};
         loadRamp();
     }
     table_->enable();
@@ -108,6 +110,15 @@ void VoglLookup::moveRamp(double center, double width)
     ramp_.center = dataLow_ + center * range;
     ramp_.width = std::max(width, 1.0 / kEntries) * range;
     loadRamp();
+}
+
+std::vector<float> VoglLookup::rgbaEntries() const
+{
+    if (components_ == 4) return entries_;
+    std::vector<float> rgba;
+    for (std::size_t i = 0; i + 1 < entries_.size(); i += 2)
+        rgba.insert(rgba.end(), {entries_[i], entries_[i], entries_[i], entries_[i + 1]});
+    return rgba;
 }
 
 void VoglLookup::free()

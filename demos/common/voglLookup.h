@@ -34,6 +34,8 @@ public:
     void read(const char* program, const std::string& fileName, std::optional<vo::Options::Ramp> lut);
     /** Colours the ramp, so that it can be told from others. */
     void setTint(float red, float green, float blue) { tint_ = {red, green, blue}; }
+    /** Opacity at the ramp's top, for programs whose tables hold no opacities of slices. */
+    void setRampOpacity(double opacity) { rampOpacity_ = opacity; }
     /** With -color, or with colours of its own and without -monochrome. */
     voRenderingMode renderingMode() const;
 
@@ -47,6 +49,8 @@ public:
     /** Moves the ramp; in parts of the data range. Nothing happens with a table from a file, or without a
         table. */
     void moveRamp(double center, double width);
+    /** The present entries: red, green, blue and alpha each. None before make. */
+    std::vector<float> rgbaEntries() const;
     void free();
 
 private:
@@ -55,6 +59,7 @@ private:
     std::optional<vo::LookupFile> file_;
     std::optional<vo::Options::Ramp> lut_;
     std::array<float, 3> tint_{1, 1, 1};
+    std::optional<double> rampOpacity_;
     vo::RampSettings ramp_{};
     double dataLow_ = 0, dataHigh_ = 1;
     int components_ = 4;

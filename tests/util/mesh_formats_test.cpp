@@ -212,7 +212,7 @@ TEST_F(MeshFormats, cellsThatCannotBeDrawnAreCountedAndTheRestIsKept)
         "10 of 13 cells skipped: 1 points, lines or surfaces, 1 of kinds that are not read, 3 with corners "
         "that "
         "are no points of the file, 1 at points without finite coordinates, 2 of no volume, 1 partly inside "
-        "out, 1 repeated; 1 inside out turned round; 1 with curved edges taken as straight");
+        "out, 1 repeated; 1 cells inside out turned round; 1 cells with curved edges taken as straight");
     EXPECT_EQ(mesh->cellFields.at(0).values.size(), 3u);
     EXPECT_EQ(mesh->cellFields[0].values[0], 3);
     EXPECT_EQ(mesh->cellFields[0].values[1], 9) << "that of the third cell";

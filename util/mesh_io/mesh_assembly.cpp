@@ -158,8 +158,8 @@ std::string CellCounts::text() const
     std::string all;
     if (skipped() > 0)
         all = std::to_string(skipped()) + " of " + std::to_string(inFile) + " cells skipped: " + parts;
-    if (inverted > 0) addPart(all, counted(inverted, "inside out turned round"), "; ");
-    if (curved > 0) addPart(all, counted(curved, "with curved edges taken as straight"), "; ");
+    if (inverted > 0) addPart(all, counted(inverted, "cells inside out turned round"), "; ");
+    if (curved > 0) addPart(all, counted(curved, "cells with curved edges taken as straight"), "; ");
     return all;
 }
 

@@ -45,8 +45,8 @@ struct CellCounts
     std::int64_t curved = 0;   ///< with points between corners, which are not kept
 
     std::int64_t skipped() const { return surfaces + unknown + broken + endless + flat + twisted + repeated; }
-    /// For a message: "12 of 160 cells skipped: 3 flat, 9 repeated; 2 inside out turned round"; empty where
-    /// there is nothing to say.
+    /// For a message: "12 of 160 cells skipped: 3 flat, 9 repeated; 2 cells inside out turned round"; empty
+    /// where there is nothing to say.
     std::string text() const;
 };
 
