@@ -46,11 +46,12 @@ public:
         faces_.appendPoly(box[0], 4);
     }
 
-    /// Text that ends at `right`, dots of `dot` pixels.
+    /// Text over black that ends at `right`, dots of `dot` pixels.
     void addText(const std::string& text, double right, double bottom, double dot)
     {
-        static const float white[3] = {1, 1, 1};
+        static const float white[3] = {1, 1, 1}, black[3] = {0, 0, 0};
         double left = right - double(text.size()) * (kGlyphWidth + 1) * dot;
+        add(left - dot, bottom - dot, right, bottom + (kGlyphHeight + 1) * dot, black);
         for (const char letter : text) {
             const auto glyph = std::find_if(std::begin(kGlyphs), std::end(kGlyphs),
                                             [letter](const Glyph& g) { return g.letter == letter; });

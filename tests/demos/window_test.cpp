@@ -185,6 +185,8 @@ protected:
         });
         vo::writeBytes(folder / "tags.tif", 24, 20, 16, [](int x, int, int) { return x / 8; });
         std::ofstream(folder / "bare.raw") << std::string(512, 'x');
+        std::ofstream(folder / "cell.node") << "4 3 1 0\n0 0 0 0 1\n1 9 0 0 2\n2 0 8 0 3\n3 0 0 7 4\n";
+        std::ofstream(folder / "cell.ele") << "1 4 0\n0 0 1 2 3\n";
         displayNumber = startDisplay();
         ASSERT_NE(displayNumber, "") << vo::readFile(folder / "Xvfb.log");
     }
@@ -296,7 +298,7 @@ TEST_P(WindowTest, everyDemoFollowsItsWindow)
          {Demo{"voglCache blob.tif", ""}, Demo{"voglRaw 0 8 8 8 uchar bare.raw", ""},
           Demo{"voglSpaceLeap blob.tif 1 255", ""}, Demo{"voglMorph blob.tif", "-twist 60 -bend 0"},
           Demo{"voglSphere blob.tif -center 9 12 6", "-radius 8.831761"}, Demo{"voglUnstructured", ""},
-          Demo{"voglMPR1 blob.tif", ""}, Demo{"voglMPR2 blob.tif", ""},
+          Demo{"voglMesh cell.node", ""}, Demo{"voglMPR1 blob.tif", ""}, Demo{"voglMPR2 blob.tif", ""},
           Demo{"voglTwo blob.tif blob.tif -offset 6 4 2", ""}, Demo{"voglTagged blob.tif tags.tif", ""},
           Demo{"voglRoam blob.tif", ""}, Demo{"voglMirror blob.tif", ""},
           Demo{"voglShade blob.tif -lut 100 100", "-light 0.33333333 0 0.94280904"}}) {

@@ -137,6 +137,22 @@ TEST_F(MeshFormats, viewHoldsItsCellsWithPointsInCommon)
     }
 }
 
+TEST_F(MeshFormats, viewWithStepsBetweenCellsKeepsThem)
+{
+    const auto mesh = read("steps.pos", "View \"v\" {\nSS(0,0,0,1,0,0,0,1,0,0,0,1){1,2,3,4,9,9,9,9};\n"
+                                        "SS(0,0,0,0,1,0,1,0,0,0,0,-1){1,3,5,6,9,9,9,9};\n"
+                                        "VS(0,0,0,1,0,0,0,1,0,0,0,1){1,2,3,4,5,6,7,8,9,10,11,12};\n};");
+    ASSERT_TRUE(mesh) << mesh.failure().text;
+    // Two of the corners in common have one value, the third has two.
+    EXPECT_EQ(mesh->points.size(), 6u);
+    std::vector<double> values;
+    for (const std::int64_t corner : mesh->corners)
+        values.push_back(mesh->pointFields.at(0).values[static_cast<std::size_t>(corner)]);
+    EXPECT_EQ(values, (std::vector<double>{1, 2, 3, 4, 1, 3, 5, 6}));
+    EXPECT_EQ(mesh->notes, std::vector<std::string>{"the first of 2 steps is read"});
+    EXPECT_EQ(mesh->counts.text(), "1 of 3 cells skipped: 1 of kinds that are not read");
+}
+
 TEST_F(MeshFormats, tetGenCountsFromZeroOrOne)
 {
     const Mesh tetras = tetrasOf(mixed.mesh);
