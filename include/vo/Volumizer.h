@@ -16,6 +16,7 @@
 #include <vo/FloatTarget.h>
 #include <vo/State.h>
 #include <vo/utGeometry.h>
+#include <vo/utLattice.h>
 #include <vo/utPerfMeter.h>
 #include <vo/utSolids.h>
 
