@@ -300,7 +300,8 @@ TEST_P(WindowTest, everyDemoFollowsItsWindow)
           Demo{"voglSphere blob.tif -center 9 12 6", "-radius 8.831761"}, Demo{"voglUnstructured", ""},
           Demo{"voglMesh cell.node", ""}, Demo{"voglMPR1 blob.tif", ""}, Demo{"voglMPR2 blob.tif", ""},
           Demo{"voglTwo blob.tif blob.tif -offset 6 4 2", ""}, Demo{"voglTagged blob.tif tags.tif", ""},
-          Demo{"voglRoam blob.tif", ""}, Demo{"voglMirror blob.tif", ""},
+          Demo{"voglRoam blob.tif", ""}, Demo{"voglMirror blob.tif", ""}, Demo{"voglFan blob.tif", ""},
+          Demo{"voglDeform blob.tif -lattice 2 2 2", "-drag 35 30 40 25"},
           Demo{"voglShade blob.tif -lut 100 100", "-light 0.33333333 0 0.94280904"}}) {
         {
             const auto running = startProgram(program + std::string(" -size 50 60"));
