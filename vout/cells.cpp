@@ -10,27 +10,6 @@ namespace vo {
 
 namespace {
 
-constexpr CellShape kTetra{"tetrahedron", 4, 4, {{{3, {0, 2, 1}}, {3, {0, 1, 3}}, {3, {1, 2, 3}}, {3, {2, 0, 3}}}}};
-constexpr CellShape kPyramid{
-    "pyramid",
-    5,
-    5,
-    {{{4, {0, 3, 2, 1}}, {3, {0, 1, 4}}, {3, {1, 2, 4}}, {3, {2, 3, 4}}, {3, {3, 0, 4}}}}};
-constexpr CellShape kPrism{
-    "prism",
-    6,
-    5,
-    {{{3, {0, 2, 1}}, {3, {3, 4, 5}}, {4, {0, 1, 4, 3}}, {4, {1, 2, 5, 4}}, {4, {2, 0, 3, 5}}}}};
-constexpr CellShape kHexa{"hexahedron",
-                          8,
-                          6,
-                          {{{4, {0, 3, 2, 1}},
-                            {4, {4, 5, 6, 7}},
-                            {4, {0, 1, 5, 4}},
-                            {4, {1, 2, 6, 5}},
-                            {4, {2, 3, 7, 6}},
-                            {4, {3, 0, 4, 7}}}}};
-
 void checkCount(const Arrangement& a, std::size_t count)
 {
     const auto window = static_cast<std::size_t>(a.window), step = static_cast<std::size_t>(a.step);
@@ -40,17 +19,6 @@ void checkCount(const Arrangement& a, std::size_t count)
 }
 
 } // namespace
-
-const CellShape& shapeOf(CellKind kind)
-{
-    switch (kind) {
-    case CellKind::tetra: return kTetra;
-    case CellKind::pyramid: return kPyramid;
-    case CellKind::prism: return kPrism;
-    case CellKind::hexa: return kHexa;
-    }
-    return kTetra;
-}
 
 const Arrangement kTetraFaceStrip{CellKind::tetra, 4, 1, {0, 1, 2, 3}};
 const Arrangement kTetraEdgeStrip{CellKind::tetra, 4, 2, {0, 1, 2, 3}};

@@ -1,36 +1,13 @@
 #pragma once
 
+#include "geometry/cell_split.h"
+
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace vo {
-
-/// What solids are made of. Corners: the bottom counter-clockwise as seen from above, then what is above it,
-/// in the same order; a pyramid's tip comes last.
-enum class CellKind { tetra, pyramid, prism, hexa };
-
-constexpr int kMostCorners = 8;
-constexpr int kMostFaces = 6;
-
-/// A face: corner numbers counter-clockwise as seen from outside; three or four.
-struct CellFace
-{
-    int corners;
-    std::array<int, 4> corner;
-};
-
-/// The faces of a cell.
-struct CellShape
-{
-    const char* name;
-    int corners;
-    int faces;
-    std::array<CellFace, kMostFaces> face;
-};
-
-const CellShape& shapeOf(CellKind kind);
 
 /// Cells of one kind, the vertex numbers of one after those of another.
 struct Cells

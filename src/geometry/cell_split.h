@@ -62,11 +62,14 @@ constexpr int kCellMiddle = kMostCorners;
 /// Corner numbers of a tetrahedron of positive volume: d sees a, b, c clockwise, the first is a.
 using CornerTetra = std::array<int, 4>;
 
+/// Tetrahedra of a hexahedron that is cut from the middles of its faces, and of any cell at most.
+constexpr int kMostPieces = 24;
+
 /// One way to split a cell.
 struct CellPieces
 {
     int count = 0;
-    std::array<CornerTetra, 12> tetra{};
+    std::array<CornerTetra, kMostPieces> tetra{};
 
     constexpr void add(const CornerTetra& piece) { tetra[static_cast<std::size_t>(count++)] = piece; }
     constexpr std::span<const CornerTetra> all() const&
