@@ -57,6 +57,9 @@ struct RequestOfScene
         request.shading.color = glm::vec4(glm::make_vec4(scene.color.data()));
         switch (scene.compositing) {
         case vo::test::Compositing::over: request.blending = vo::CastBlending::over; break;
+        case vo::test::Compositing::premultiplied:
+            request.blending = vo::CastBlending::premultiplied;
+            break;
         case vo::test::Compositing::max: request.blending = vo::CastBlending::max; break;
         case vo::test::Compositing::min: request.blending = vo::CastBlending::min; break;
         case vo::test::Compositing::sum: request.blending = vo::CastBlending::sum; break;
@@ -180,7 +183,8 @@ inline std::vector<float> blended(const vo::CastPicture& picture, const Scene& s
                              static_cast<std::size_t>(x + picture.x));
             for (std::size_t c = 0; c < 3; ++c)
                 switch (scene.compositing) {
-                case vo::test::Compositing::over: to[c] = from[c] + from[3] * to[c]; break;
+                case vo::test::Compositing::over:
+                case vo::test::Compositing::premultiplied: to[c] = from[c] + from[3] * to[c]; break;
                 case vo::test::Compositing::max: to[c] = std::max(from[c], to[c]); break;
                 case vo::test::Compositing::min: to[c] = std::min(from[c], to[c]); break;
                 case vo::test::Compositing::sum: to[c] += from[c]; break;
