@@ -57,9 +57,7 @@ struct RequestOfScene
         request.shading.color = glm::vec4(glm::make_vec4(scene.color.data()));
         switch (scene.compositing) {
         case vo::test::Compositing::over: request.blending = vo::CastBlending::over; break;
-        case vo::test::Compositing::premultiplied:
-            request.blending = vo::CastBlending::premultiplied;
-            break;
+        case vo::test::Compositing::premultiplied: request.blending = vo::CastBlending::premultiplied; break;
         case vo::test::Compositing::max: request.blending = vo::CastBlending::max; break;
         case vo::test::Compositing::min: request.blending = vo::CastBlending::min; break;
         case vo::test::Compositing::sum: request.blending = vo::CastBlending::sum; break;
