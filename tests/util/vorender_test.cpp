@@ -114,7 +114,8 @@ TEST_F(Vorender, coloursWithoutAlphaAreAsOpaqueAsBright)
                       bright = writeSlab("bright.raw", 4, 102);
     draws(rgb + "-color -output p.raw");
     const double opacity = 1 - std::pow(1 - 102 / 255.0, 6);
-    const float* pixel = middle(floats("p.raw"), 4);
+    const std::vector<float> picture = floats("p.raw");
+    const float* pixel = middle(picture, 4);
     for (const auto& [channel, value] : {std::pair(0, 51), {1, 102}, {2, 25}, {3, 255}})
         EXPECT_NEAR(double(pixel[channel]), value / 255.0 * opacity, 1e-5) << channel;
 
