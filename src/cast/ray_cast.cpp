@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <list>
 #include <optional>
 
@@ -50,6 +51,20 @@ void shade(const VoxelGrid& grid, const CastRequest& request, ShadedGrid& shaded
     if (request.shading.table) shaded.table = *request.shading.table;
     shaded.blending = request.blending;
     findEmptyBlocks(grid, shaded.plan, request.blending, shaded.blocks);
+}
+
+/// Units of opacity from one sample to the next, where rays are parallel.
+std::optional<double> unitsOfAllRays(const CastRequest& request, const RayFrame& frame)
+{
+    if (!request.opacityGauge) return std::nullopt;
+    glm::dvec3 direction, turn;
+    for (int axis = 0; axis < 3; ++axis) {
+        const PixelRamp& ramp = frame.direction[static_cast<std::size_t>(axis)];
+        direction[axis] = ramp.at;
+        turn[axis] = std::abs(ramp.dx) * request.width + std::abs(ramp.dy) * request.height;
+    }
+    if (glm::length(turn) > 1e-9 * glm::length(direction)) return std::nullopt;
+    return glm::length(direction) / glm::length(*request.opacityGauge * direction);
 }
 
 } // namespace
@@ -148,11 +163,17 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     job.shading = &shaded.plan;
     job.blending = request.blending;
     job.gauge = request.opacityGauge ? &*request.opacityGauge : nullptr;
+    const std::optional<double> units = unitsOfAllRays(request, frame);
+    const std::optional<ShadingPlan> folded = units ? withUnits(shaded.plan, *units) : std::nullopt;
     job.depth = request.depth.depths.empty() ? nullptr : &request.depth;
     job.viewportWidth = request.width;
     job.blockCount = grid.blockCount();
     const bool extreme = request.blending == CastBlending::max || request.blending == CastBlending::min;
     job.extremeOfRaw = extreme && shaded.plan.rises() && !job.gauge;
+    if (folded) {
+        job.shading = &*folded;
+        job.gauge = nullptr;
+    }
     if (d->skipping && !extreme) job.blockDistance = shaded.blocks.distance.data();
     if (d->skipping && job.extremeOfRaw) job.blockRanges = grid.blockRanges().data();
     job.picture = &picture;

@@ -79,6 +79,27 @@ ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool clas
     return plan;
 }
 
+std::optional<ShadingPlan> withUnits(const ShadingPlan& plan, double units)
+{
+    constexpr int kMostEntries = 4096; // made anew for each frame
+    constexpr double kLoss = 1.0 / 4096.0;
+    if (!plan.table || plan.last >= kMostEntries) return std::nullopt;
+    const auto opacity = [&](double alpha) { return 1.0 - std::pow(1.0 - alpha, units); };
+    ShadingPlan folded = plan;
+    std::vector<float>& pairs = folded.entries[3];
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        const double here = pairs[i], next = here + pairs[i + 1];
+        if (!(here >= 0.0 && here <= 1.0 && next >= 0.0 && next <= 1.0)) return std::nullopt;
+        const double middle = opacity(0.5 * (here + next)), mean = 0.5 * (opacity(here) + opacity(next));
+        if (std::abs(middle - mean) > kLoss * middle) return std::nullopt;
+        pairs[i] = static_cast<float>(opacity(here));
+        pairs[i + 1] = static_cast<float>(opacity(next) - opacity(here));
+    }
+    folded.packed = {};
+    packEntries(folded);
+    return folded;
+}
+
 bool ShadingPlan::rises() const
 {
     if (!oneChannel) return false;

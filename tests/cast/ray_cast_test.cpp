@@ -282,6 +282,30 @@ TEST(RayCast, opacityPerLengthFollowsEachRay)
     }
 }
 
+/// Smooth tables take the length of parallel rays into their entries; steep ones cannot.
+TEST(RayCast, opacityPerLengthOfTablesFollowsParallelRays)
+{
+    const Field field = bumps(kVolume);
+    for (const int entries : {256, 3, 2})
+        for (const double size : {0.4, 1.0, 1.7}) {
+            Scene scene = sceneOf(field);
+            scene.classification = vo::test::Classification::postInterpolation;
+            scene.table = colourTable(entries, 0.6);
+            RequestOfScene own(scene, {});
+            const glm::dmat3 gauge(glm::dvec3(0.4, 0.1, 0.0) * size, glm::dvec3(0.0, 0.9, 0.2) * size,
+                                   glm::dvec3(0.3, 0.0, 1.7) * size);
+            own.request.opacityGauge = gauge;
+            const auto camera = vo::findCamera(own.request.model, own.request.projection);
+            const Scene truth = restricted(
+                scene, [](const glm::dvec3&) { return true; },
+                [&](const glm::dvec3& p, std::array<double, 4>& sample) {
+                    const glm::dvec3 d = camera->towards(p);
+                    sample[3] = 1.0 - std::pow(1.0 - sample[3], glm::length(d) / glm::length(gauge * d));
+                });
+            EXPECT_GT(psnrAgainst(truth, own), 75.0) << entries << " " << size;
+        }
+}
+
 std::vector<vo::test::Tetrahedron> boxOfTetrahedra(const glm::dvec3& lower, const glm::dvec3& upper)
 {
     std::vector<vo::test::Tetrahedron> tetras;
