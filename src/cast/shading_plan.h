@@ -36,7 +36,8 @@ struct ShadingPlan
 };
 
 /// The plan of samples that are `units` units of opacity long each, with 1 - (1 - alpha)^units as the table's
-/// alpha; nothing without a table, or where that would be off between two entries by more than 1/4096 of itself.
+/// alpha; nothing without a table, or where that would be off between two entries by more than 1/4096 of
+/// itself.
 std::optional<ShadingPlan> withUnits(const ShadingPlan& plan, double units);
 
 /// For samples of one channel, or of four; `texel` as the bricks have it, `classified` by a table before
