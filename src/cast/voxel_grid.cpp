@@ -8,25 +8,21 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <new>
 #include <type_traits>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
-
 namespace vo {
 
 namespace {
 
-constexpr std::size_t kLargePage = std::size_t{1} << 21;
 /// Gathers count bytes (of pairs of bytes), or numbers (of all others), in 31 bits.
 constexpr std::uint64_t kMostOffsets = std::uint64_t{1} << 31;
 /// What a sampler answers for a byte of 1: fixed-point numbers of 15 bits.
 constexpr float kByteRaw = 128.0f;
+/// Bytes that are read past the last cell, and count for nothing.
+constexpr std::size_t kPastTheEnd = 16;
 /// Clip boxes come from floats.
 constexpr double kTolerance = 1e-4;
 
@@ -138,44 +134,6 @@ bool fillABox(std::span<const Box> boxes, const Box& around)
 }
 
 } // namespace
-
-PagedMemory::PagedMemory(std::size_t bytes)
-{
-    const std::size_t alignment = bytes >= kLargePage ? kLargePage : std::size_t{64};
-    if (bytes > std::numeric_limits<std::size_t>::max() - alignment) throw std::bad_alloc();
-    bytes_ = (bytes + alignment - 1) / alignment * alignment;
-#if defined(__linux__)
-    if (alignment == kLargePage) {
-        // One page more than needed, so that an aligned part is inside.
-        void* all =
-            mmap(nullptr, bytes_ + kLargePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-        if (all == MAP_FAILED) throw std::bad_alloc();
-        auto* start = static_cast<std::byte*>(all);
-        const auto past = reinterpret_cast<std::uintptr_t>(start) % kLargePage;
-        const std::size_t before = past ? kLargePage - past : 0;
-        if (before) munmap(start, before);
-        if (kLargePage - before) munmap(start + before + bytes_, kLargePage - before);
-        madvise(start + before, bytes_, MADV_HUGEPAGE);
-        data_ = {start + before, ReleasePages{bytes_}};
-        return;
-    }
-#endif
-    auto* data = static_cast<std::byte*>(std::aligned_alloc(alignment, std::max(bytes_, alignment)));
-    if (!data) throw std::bad_alloc();
-    std::memset(data, 0, bytes_);
-    data_ = {data, ReleasePages{}};
-}
-
-void ReleasePages::operator()(std::byte* data) const
-{
-#if defined(__linux__)
-    if (mapped) {
-        munmap(data, mapped);
-        return;
-    }
-#endif
-    std::free(data);
-}
 
 VoxelGrid::VoxelGrid(std::span<const CastBrick> bricks, std::span<const Box> clipBoxes, int threads,
                      std::string& refusal)
@@ -301,7 +259,9 @@ bool VoxelGrid::fill(std::span<const CastBrick> bricks, int threads)
     const auto width = static_cast<std::size_t>(size_.x) * channels;
     const auto pitch = static_cast<std::size_t>(view_.rowPitch) * channels;
     const auto slice = static_cast<std::size_t>(view_.slicePitch) * channels;
-    memory_ = PagedMemory(slice * (static_cast<std::size_t>(size_.z) + 2) * sizeof(CellOf<T>) + 16);
+    const std::size_t used = slice * (static_cast<std::size_t>(size_.z) + 2) * sizeof(CellOf<T>);
+    memory_.resize(used + kPastTheEnd);
+    std::memset(memory_.data() + used, 0, kPastTheEnd);
     view_.cells = memory_.data();
     auto* cells = reinterpret_cast<CellOf<T>*>(memory_.data());
     std::atomic<bool> agree = true;

@@ -1,41 +1,18 @@
 #pragma once
 
 #include "cast/cast_request.h"
+#include "core/kept_array.h"
 #include "core/volume_size.h"
 
 #include <glm/vec3.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace vo {
-
-struct ReleasePages
-{
-    std::size_t mapped; ///< bytes; 0: from the heap
-    explicit ReleasePages(std::size_t bytes = 0) : mapped(bytes) {}
-    void operator()(std::byte* data) const;
-};
-
-/// Memory in large pages where the system has them.
-class PagedMemory
-{
-public:
-    PagedMemory() = default;
-    /// Zeroes. Throws std::bad_alloc.
-    explicit PagedMemory(std::size_t bytes);
-
-    std::byte* data() const { return data_.get(); }
-    std::size_t bytes() const { return bytes_; }
-
-private:
-    std::unique_ptr<std::byte, ReleasePages> data_;
-    std::size_t bytes_ = 0;
-};
 
 /// How a cell's numbers lie in memory. bytes: 16 bits, the voxel (low) and its neighbour in +y (high).
 /// shorts: 32 bits, likewise. floats: 1 or 4 numbers, interleaved.
@@ -79,7 +56,7 @@ public:
     const glm::ivec3& blockCount() const { return blockCount_; }
     /// Of the samples in each block, as a sampler answers: for each channel the lowest and the highest.
     std::span<const float> blockRanges() const { return ranges_; }
-    std::size_t bytes() const { return memory_.bytes() + ranges_.size() * sizeof(float); }
+    std::size_t bytes() const { return memory_.size() + ranges_.size() * sizeof(float); }
 
 private:
     bool place(std::span<const CastBrick> bricks, std::span<const Box> clipBoxes, std::string& refusal);
@@ -93,7 +70,7 @@ private:
     VoxelOrigin lower_;
     VoxelSize size_;
     glm::ivec3 blockCount_{0};
-    PagedMemory memory_;
+    KeptArray<std::byte> memory_;
     std::vector<float> ranges_;
 };
 
