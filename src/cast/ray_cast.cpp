@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <list>
 #include <optional>
 
@@ -56,14 +55,8 @@ void shade(const VoxelGrid& grid, const CastRequest& request, ShadedGrid& shaded
 /// Units of opacity from one sample to the next, where rays are parallel.
 std::optional<double> unitsOfAllRays(const CastRequest& request, const RayFrame& frame)
 {
-    if (!request.opacityGauge) return std::nullopt;
-    glm::dvec3 direction, turn;
-    for (int axis = 0; axis < 3; ++axis) {
-        const PixelRamp& ramp = frame.direction[static_cast<std::size_t>(axis)];
-        direction[axis] = ramp.at;
-        turn[axis] = std::abs(ramp.dx) * request.width + std::abs(ramp.dy) * request.height;
-    }
-    if (glm::length(turn) > 1e-9 * glm::length(direction)) return std::nullopt;
+    if (!request.opacityGauge || !frame.isParallel()) return std::nullopt;
+    const glm::dvec3 direction(frame.direction[0].at, frame.direction[1].at, frame.direction[2].at);
     return glm::length(direction) / glm::length(*request.opacityGauge * direction);
 }
 

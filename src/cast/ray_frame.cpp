@@ -94,6 +94,12 @@ void setSamples(const CastRequest& request, const Camera& camera, RayFrame& fram
 
 } // namespace
 
+bool RayFrame::isParallel() const
+{
+    return std::ranges::all_of(direction,
+                               [](const PixelRamp& ramp) { return ramp.dx == 0.0 && ramp.dy == 0.0; });
+}
+
 RayFrame rayFrame(const CastRequest& request, const Camera& camera)
 {
     RayFrame frame;

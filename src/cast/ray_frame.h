@@ -62,6 +62,9 @@ struct RayFrame
     /// Clip coordinates z and w, for depths a pixel.
     RayBound clipZ, clipW;
     PixelRectangle pixels; ///< of which others see nothing
+
+    /// Whether all rays have the same direction.
+    bool isParallel() const;
 };
 
 /// The rays of a request's view, with those bounds that all of its parts share: the view volume and the clip

@@ -34,8 +34,7 @@ std::optional<SampleRamps> sampleRamps(const RayFrame& frame)
     if (frame.shells || !isConstant(frame.along, frame.pixels) || frame.along.at == 0.0) return {};
     // Either the nearest plane is as far from the origins of all rays, or the rays are parallel.
     const bool evenlyFar = isConstant(frame.nearest, frame.pixels);
-    for (const PixelRamp& ramp : frame.direction)
-        if (!evenlyFar && (ramp.dx != 0.0 || ramp.dy != 0.0)) return {};
+    if (!evenlyFar && !frame.isParallel()) return {};
     const double perOffset = 1.0 / frame.along.at;
     const auto baseOf = [&](const PixelRamp& origin, const PixelRamp& direction) {
         return origin + (evenlyFar ? perOffset * frame.nearest.at * direction

@@ -51,19 +51,12 @@ CastShading castShading(const ContextRecord& context, const DrawState& draw)
 CastRequest castRequest(const ContextRecord& context, const FrameRequest& request, const DrawState& draw,
                         const CompositingState& state, std::span<const CastBrick> bricks)
 {
-    CastRequest cast;
-    cast.model = draw.model;
-    cast.projection = draw.projection;
-    cast.width = state.viewport[2];
-    cast.height = state.viewport[3];
-    cast.tetras = request.tetras;
+    CastRequest cast = viewRequest(request, draw, state);
     cast.layout = request.layout;
     cast.clipBoxes = request.clipBoxes;
     cast.bricks = bricks;
-    cast.sampling = request.sampling;
     cast.shading = castShading(context, draw);
     cast.blending = state.blending.color;
-    cast.clipPlanes = state.clipPlanes;
     return cast;
 }
 
@@ -103,6 +96,19 @@ EngineChoice wantedByEnvironment()
 }
 
 } // namespace
+
+CastRequest viewRequest(const FrameRequest& request, const DrawState& draw, const CompositingState& state)
+{
+    CastRequest rays;
+    rays.model = draw.model;
+    rays.projection = draw.projection;
+    rays.width = state.viewport[2];
+    rays.height = state.viewport[3];
+    rays.tetras = request.tetras;
+    rays.sampling = request.sampling;
+    rays.clipPlanes = state.clipPlanes;
+    return rays;
+}
 
 bool isUnbounded(const ContextRecord& context, const FrameRequest& request, const DrawState& draw)
 {
