@@ -7,7 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace vo {
 
@@ -40,20 +42,6 @@ bool hasOwnPlanes(const FrameRequest& request)
            request.sampling.stackAxis < 0 && request.layout.color < 0;
 }
 
-/// What rays need to know of a frame.
-CastRequest rayRequest(const FrameRequest& request, const DrawState& draw, const CompositingState& state)
-{
-    CastRequest rays;
-    rays.model = draw.model;
-    rays.projection = draw.projection;
-    rays.width = state.viewport[2];
-    rays.height = state.viewport[3];
-    rays.tetras = request.tetras;
-    rays.sampling = request.sampling;
-    rays.clipPlanes = state.clipPlanes;
-    return rays;
-}
-
 /// State in which fragments without opacity may be left out, and all of a pixel be joined.
 bool readJoinableState(ContextRecord& context, const FrameRequest& request, const DrawState& draw,
                        CompositingState& state)
@@ -70,17 +58,25 @@ bool fits(const ContextRecord& context, const VoxelSize& cells)
     return std::max({cells.x, cells.y, cells.z}) <= context.max3dSize;
 }
 
-/// Another box begins where this one ends.
-std::array<bool, 3> upperBelongsElsewhere(const Box& box, std::span<const Box> boxes)
+using Corner = std::array<double, 3>;
+
+std::set<Corner> lowerCorners(std::span<const Box> boxes)
+{
+    std::set<Corner> corners;
+    for (const Box& box : boxes)
+        corners.insert({box.lower.x, box.lower.y, box.lower.z});
+    return corners;
+}
+
+/// For each axis whether another box begins where this one ends.
+std::array<bool, 3> upperBelongsElsewhere(const Box& box, const std::set<Corner>& lowers)
 {
     std::array<bool, 3> belongs{};
-    for (const Box& other : boxes)
-        for (int axis = 0; axis < 3; ++axis) {
-            bool faces = other.lower[axis] == box.upper[axis];
-            for (int across = 0; across < 3; ++across)
-                faces = faces && (across == axis || other.lower[across] == box.lower[across]);
-            if (faces) belongs[static_cast<std::size_t>(axis)] = true;
-        }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        Corner next{box.lower.x, box.lower.y, box.lower.z};
+        next[axis] = box.upper[static_cast<int>(axis)];
+        belongs[axis] = lowers.contains(next);
+    }
     return belongs;
 }
 
@@ -92,7 +88,7 @@ std::optional<MarchedFrame> marchedFrame(ContextRecord& context, const FrameRequ
     if (!context.quirks.drawsOnProcessor || !hasOwnPlanes(request)) return {};
     MarchedFrame frame;
     if (!readJoinableState(context, request, draw, frame.state)) return {};
-    const CastRequest rays = rayRequest(request, draw, frame.state);
+    const CastRequest rays = viewRequest(request, draw, frame.state);
     const RayFrame everywhere = rayFrame(rays, camera);
     const std::optional<SampleRamps> ramps = sampleRamps(everywhere);
     if (!ramps || !SampleMarch::canBound(*ramps)) return {};
@@ -103,11 +99,12 @@ std::optional<MarchedFrame> marchedFrame(ContextRecord& context, const FrameRequ
     if (!cells || !fits(context, cells->count)) return {};
     frame.cells = {kCellSide, cells->count, cells->distance, cells->serial};
 
+    const std::set<Corner> lowers = lowerCorners(request.clipBoxes);
     for (const int brick : backToFront(request.clipBoxes, camera)) {
         const Box& box = request.clipBoxes[static_cast<std::size_t>(brick)];
         const FrameBrick& texture = request.bricks[static_cast<std::size_t>(brick)];
         MarchedBrick place{{glm::max(box.lower, domain->lower), glm::min(box.upper, domain->upper)},
-                           upperBelongsElsewhere(box, request.clipBoxes),
+                           upperBelongsElsewhere(box, lowers),
                            texture.origin,
                            texture.size};
         RayFrame seen = everywhere;
