@@ -1,5 +1,6 @@
 #include "vout/box_lattice.h"
 
+#include "geometry/cell_space.h"
 #include "legacy/report.h"
 
 #include <glm/common.hpp>
@@ -77,19 +78,6 @@ void Lattice::reset()
         positions_[static_cast<std::size_t>(vertex)] = voxel(vertex);
 }
 
-Cells Lattice::cells() const
-{
-    Cells cells{CellKind::hexa, {}};
-    if (positions_.empty()) return cells;
-    for (int k = 0; k < boxes_.z; ++k)
-        for (int j = 0; j < boxes_.y; ++j)
-            for (int i = 0; i < boxes_.x; ++i)
-                for (const int above : {0, 1})
-                    for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-                        cells.corners.push_back(vertexNumber(i + x, j + y, k + above));
-    return cells;
-}
-
 TetraMesh Lattice::tetras(HexaSplit split) const
 {
     // Boxes are split where none can be out of shape: in the volume.
@@ -100,7 +88,7 @@ TetraMesh Lattice::tetras(HexaSplit split) const
         for (const glm::dvec3& point : {positions_[static_cast<std::size_t>(vertex)], voxel(vertex)})
             for (int axis = 0; axis < 3; ++axis)
                 mesh.records.push_back(static_cast<float>(point[axis]));
-    splitCells(cells(), split, mesh);
+    splitCells(boxGrid(boxes_), split, mesh);
     exchangeHalves(mesh);
     return mesh;
 }

@@ -35,8 +35,6 @@ public:
     TetraMesh tetras(HexaSplit split) const;
 
 private:
-    Cells cells() const;
-
     glm::ivec3 boxes_{0};
     glm::dvec3 lower_{0}, upper_{0};
     std::vector<glm::dvec3> positions_;

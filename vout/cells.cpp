@@ -20,6 +20,27 @@ void checkCount(const Arrangement& a, std::size_t count)
 
 } // namespace
 
+Cells boxGrid(const glm::ivec3& boxes)
+{
+    Cells cells{CellKind::hexa, {}};
+    const int line = boxes.x + 1, layer = line * (boxes.y + 1);
+    for (int k = 0; k < boxes.z; ++k)
+        for (int j = 0; j < boxes.y; ++j)
+            for (int i = 0; i < boxes.x; ++i) {
+                const int a = k * layer + j * line + i, b = a + layer;
+                cells.add({a, a + 1, a + line + 1, a + line, b, b + 1, b + line + 1, b + line});
+            }
+    return cells;
+}
+
+Cells prismsOn(std::span<const std::array<int, 3>> triangles, int above)
+{
+    Cells prisms{CellKind::prism, {}};
+    for (const auto& [a, b, c] : triangles)
+        prisms.add({a, b, c, above + a, above + b, above + c});
+    return prisms;
+}
+
 const Arrangement kTetraFaceStrip{CellKind::tetra, 4, 1, {0, 1, 2, 3}};
 const Arrangement kTetraEdgeStrip{CellKind::tetra, 4, 2, {0, 1, 2, 3}};
 const Arrangement kHexaSet{CellKind::hexa, 8, 8, {0, 1, 2, 3, 4, 5, 6, 7}};

@@ -2,8 +2,11 @@
 
 #include "geometry/cell_split.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -16,7 +19,14 @@ struct Cells
     std::vector<int> corners;
 
     std::size_t count() const { return corners.size() / static_cast<std::size_t>(shapeOf(kind).corners); }
+    void add(std::initializer_list<int> cell) { corners.insert(corners.end(), cell); }
 };
+
+/// The boxes of a grid, so many along x, y and z; its vertices are numbered along x, then y, then z.
+Cells boxGrid(const glm::ivec3& boxes);
+
+/// A prism on each triangle, up to the vertices whose numbers are `above` more.
+Cells prismsOn(std::span<const std::array<int, 3>> triangles, int above);
 
 /// How a list of indices stands for cells: the first cell takes `window` of them, and each further one lies `step`
 /// later. `place` says where in its window each corner stands; kFirstOfAll: the first index of the list.

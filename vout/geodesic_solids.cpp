@@ -108,7 +108,7 @@ Solid solidOf(const GeodesicBall& ball)
     const int center = solid.add(ball.center);
     Cells tetras{CellKind::tetra, {}};
     for (const auto& [a, b, c] : sphere.triangles)
-        tetras.corners.insert(tetras.corners.end(), {a, b, c, center});
+        tetras.add({a, b, c, center});
     solid.parts = {tetras};
     return solid;
 }
@@ -129,10 +129,7 @@ Solid solidOf(const GeodesicShell& shell)
     addSphere(solid, sphere, shell.center, shell.innerRadius);
     addSphere(solid, sphere, shell.center, shell.outerRadius);
     const auto outer = static_cast<int>(sphere.vertices.size());
-    Cells prisms{CellKind::prism, {}};
-    for (const auto& [a, b, c] : sphere.triangles)
-        prisms.corners.insert(prisms.corners.end(), {a, b, c, outer + a, outer + b, outer + c});
-    solid.parts = {prisms};
+    solid.parts = {prismsOn(sphere.triangles, outer)};
     return solid;
 }
 

@@ -26,9 +26,20 @@ int addRing(Solid& solid, const glm::dvec3& middle, const AxisFrame& frame, doub
     return first;
 }
 
-void addCell(Cells& cells, std::initializer_list<int> corners)
+/// The tetrahedra from the ends of a line through a ring to the ring's sides.
+void addTetras(Cells& tetras, int lower, int ring, int upper, int count)
 {
-    cells.corners.insert(cells.corners.end(), corners);
+    for (int i = 0; i < count; ++i)
+        tetras.add({lower, ring + i, ring + (i + 1) % count, upper});
+}
+
+/// The pyramids from what lies between the sides of two rings to a tip.
+void addPyramids(Cells& pyramids, int ring, int ringAbove, int tip, int count)
+{
+    for (int i = 0; i < count; ++i) {
+        const int next = (i + 1) % count;
+        pyramids.add({ring + i, ring + next, ringAbove + next, ringAbove + i, tip});
+    }
 }
 
 /// The prisms from a middle to the sides of a ring, up to another such ring.
@@ -36,7 +47,7 @@ void addPrisms(Cells& prisms, int middle, int ring, int middleAbove, int ringAbo
 {
     for (int i = 0; i < count; ++i) {
         const int next = (i + 1) % count;
-        addCell(prisms, {middle, ring + i, ring + next, middleAbove, ringAbove + i, ringAbove + next});
+        prisms.add({middle, ring + i, ring + next, middleAbove, ringAbove + i, ringAbove + next});
     }
 }
 
@@ -64,12 +75,9 @@ Solid solidOf(const Ball& ball)
         const double angle = std::numbers::pi * stack / ball.stacks;
         const glm::dvec3 middle = ball.center - glm::dvec3(0, 0, ball.radius * std::cos(angle));
         const int ring = addRing(solid, middle, frame, ball.radius * std::sin(angle), ball.slices);
-        for (int i = 0; i < ball.slices; ++i) {
-            const int next = (i + 1) % ball.slices;
-            if (stack == 1) addCell(caps, {bottom, ring + i, ring + next, center});
-            if (stack > 1) addCell(wedges, {below + i, below + next, ring + next, ring + i, center});
-            if (stack == ball.stacks - 1) addCell(caps, {ring + i, ring + next, top, center});
-        }
+        if (stack == 1) addTetras(caps, bottom, ring, center, ball.slices);
+        if (stack > 1) addPyramids(wedges, below, ring, center, ball.slices);
+        if (stack == ball.stacks - 1) addTetras(caps, center, ring, top, ball.slices);
         below = ring;
     }
     solid.parts = {caps, wedges};
@@ -98,8 +106,7 @@ Solid solidOf(const Column& column)
         const glm::dvec3 middle = column.base + part * (column.top - column.base);
         const int axis = solid.add(middle);
         if (column.isCone && stack == column.stacks) {
-            for (int i = 0; i < column.slices; ++i)
-                addCell(tips, {below, belowRing + i, belowRing + (i + 1) % column.slices, axis});
+            addTetras(tips, below, belowRing, axis, column.slices);
             break;
         }
         const double radius = column.isCone ? (1 - part) * column.radius : column.radius;

@@ -1,25 +1,18 @@
 #include "vout/split_cells.h"
 
+#include "geometry/cell_space.h"
 #include "legacy/report.h"
 
 #include "vout/hexa_coloring.h"
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <climits>
-#include <cmath>
 #include <map>
 #include <optional>
 
 namespace vo {
 
 namespace {
-
-// Points of a cell: its corners, its middle, and the middles of its faces.
-constexpr int kFaceMiddle = kCellMiddle + 1;
-constexpr int kPoints = kFaceMiddle + kMostFaces;
 
 CellPieces fromMiddles(const CellShape& shape)
 {
@@ -32,87 +25,8 @@ CellPieces fromMiddles(const CellShape& shape)
     return pieces;
 }
 
-/// A cell in space, to judge pieces by.
-class CellSpace
-{
-public:
-    CellSpace(const CellShape& shape, std::span<const int> cell, const TetraMesh& mesh)
-    {
-        glm::dvec3 lower(HUGE_VAL), upper(-HUGE_VAL), sum(0);
-        for (std::size_t i = 0; i < cell.size(); ++i) {
-            point_[i] = mesh.position(cell[i]);
-            lower = glm::min(lower, point_[i]);
-            upper = glm::max(upper, point_[i]);
-            sum += point_[i];
-        }
-        point_[kCellMiddle] = sum / static_cast<double>(cell.size());
-        for (std::size_t f = 0; f < static_cast<std::size_t>(shape.faces); ++f) {
-            glm::dvec3& middle = point_[kFaceMiddle + f];
-            for (int i = 0; i < shape.face[f].corners; ++i)
-                middle += point_[static_cast<std::size_t>(shape.face[f].corner[static_cast<std::size_t>(i)])];
-            middle /= shape.face[f].corners;
-        }
-        rounding_ = std::ldexp(1.0, -22) * glm::max(glm::abs(lower), glm::abs(upper));
-    }
-
-    double volume(const CornerTetra& t) const
-    {
-        const auto at = [&](std::size_t i) { return point_[static_cast<std::size_t>(t[i])]; };
-        return sixfoldVolume(at(0), at(1), at(2), at(3));
-    }
-    /// Whether rounding the corners to floats could make such a volume of nothing.
-    bool isFlat(const CornerTetra& t) const
-    {
-        const auto at = [&](std::size_t i) { return point_[static_cast<std::size_t>(t[i])]; };
-        const glm::dvec3 a = at(1) - at(0), b = at(2) - at(0), c = at(3) - at(0);
-        const glm::dvec3 faces = glm::abs(glm::cross(a, b)) + glm::abs(glm::cross(b, c)) +
-                                 glm::abs(glm::cross(c, a)) + glm::abs(glm::cross(b - a, c - a));
-        return std::abs(glm::dot(glm::cross(a, b), c)) <= glm::dot(rounding_, faces);
-    }
-
-private:
-    std::array<glm::dvec3, kPoints> point_{};
-    glm::dvec3 rounding_; ///< how far a corner may lie from where it should
-};
-
-/// +1 or -1 for a cell of one handedness or the other; 0 where it has no volume.
-int handedness(const CellPieces& pieces, const CellSpace& space)
-{
-    double sum = 0;
-    bool flat = true;
-    for (const CornerTetra& tetra : pieces.all()) {
-        sum += space.volume(tetra);
-        flat = flat && space.isFlat(tetra);
-    }
-    return flat ? 0 : sum < 0 ? -1 : 1;
-}
-
-/// Chooses among ways to split a cell: the first whose pieces all have a volume, else the first that has none inside
-/// out.
-class Choice
-{
-public:
-    Choice(const CellSpace& space, int hand) : space_(space), hand_(hand) {}
-
-    /// Whether the search is over.
-    bool takes(const CellPieces& pieces)
-    {
-        bool whole = true, insideOut = false;
-        for (const CornerTetra& tetra : pieces.all()) {
-            const bool positive = hand_ * space_.volume(tetra) > 0;
-            whole = whole && positive;
-            insideOut = insideOut || (!positive && !space_.isFlat(tetra));
-        }
-        if (whole || (!chosen_ && !insideOut)) chosen_ = pieces;
-        return whole;
-    }
-    const std::optional<CellPieces>& chosen() const { return chosen_; }
-
-private:
-    const CellSpace& space_;
-    int hand_;
-    std::optional<CellPieces> chosen_;
-};
+/// How far off a coordinate of 1 may be as a float.
+constexpr double kFloatPrecision = 0x1p-22;
 
 /// Tetrahedra of a cell that needs no vertex of its own.
 int piecesOf(CellKind kind, HexaSplit split)
@@ -163,21 +77,22 @@ private:
     /// False for a cell that is partly inside out.
     bool splitCell(std::span<const int> cell)
     {
-        const CellSpace space(shape_, cell, mesh_);
+        const auto corner = [&](std::size_t i) { return mesh_.position(cell[i]); };
+        const CellSpace space(cells_.kind, corner, kFloatPrecision);
         const FaceCuts cuts = cutsOf(cell);
-        const int hand = handedness(splitFromMiddle(cells_.kind, cuts), space);
+        const int hand = space.handedness(splitFromMiddle(cells_.kind, cuts));
         if (hand == 0) {
             ++flat_;
             return true;
         }
-        Choice choice(space, hand);
+        SplitChoice choice(space, hand);
         offerWays(cell, cuts, choice);
         if (!choice.chosen()) return false;
         append(*choice.chosen(), cell, space, hand);
         return true;
     }
 
-    void offerWays(std::span<const int> cell, const FaceCuts& cuts, Choice& choice) const
+    void offerWays(std::span<const int> cell, const FaceCuts& cuts, SplitChoice& choice) const
     {
         if (cells_.kind == CellKind::tetra) {
             choice.takes({1, {{{0, 1, 2, 3}}}});
@@ -200,7 +115,7 @@ private:
     void append(const CellPieces& pieces, std::span<const int> cell, const CellSpace& space, int hand)
     {
         requireNumbers();
-        std::array<int, kPoints> vertex;
+        std::array<int, kCellPoints> vertex;
         std::fill(vertex.begin(), vertex.end(), -1);
         std::copy(cell.begin(), cell.end(), vertex.begin());
         for (CornerTetra tetra : pieces.all()) {
@@ -220,7 +135,7 @@ private:
     /// Throws CallerError where ints might not number what one more cell adds.
     void requireNumbers() const
     {
-        if (mesh_.tetras.size() <= INT_MAX - 4 * kMostPieces && mesh_.vertexCount() <= INT_MAX - kPoints) return;
+        if (mesh_.tetras.size() <= INT_MAX - 4 * kMostPieces && mesh_.vertexCount() <= INT_MAX - kCellPoints) return;
         badValue("more tetrahedra than " + std::to_string(INT_MAX) + " indices hold");
     }
 

@@ -32,16 +32,7 @@ Solid solidOf(const BoxGrid& box)
         for (int j = 0; j <= rows; ++j)
             for (int i = 0; i <= columns; ++i)
                 solid.add(box.corner + box.size * glm::dvec3(i, j, k) / glm::dvec3(columns, rows, layers));
-    Cells boxes{CellKind::hexa, {}};
-    const int above = columns + 1, behind = above * (rows + 1);
-    for (int k = 0; k < layers; ++k)
-        for (int j = 0; j < rows; ++j)
-            for (int i = 0; i < columns; ++i) {
-                const int a = k * behind + j * above + i, b = a + behind;
-                boxes.corners.insert(boxes.corners.end(),
-                                     {a, a + 1, a + above + 1, a + above, b, b + 1, b + above + 1, b + above});
-            }
-    solid.parts = {boxes};
+    solid.parts = {boxGrid({columns, rows, layers})};
     return solid;
 }
 
@@ -79,10 +70,7 @@ Solid solidOf(const Extrusion& extrusion)
     for (const glm::dvec3& point : extrusion.polygon)
         solid.add(point + extrusion.line);
     const auto top = static_cast<int>(extrusion.polygon.size());
-    Cells prisms{CellKind::prism, {}};
-    for (const auto& [a, b, c] : trianglesOf(outlineOf(extrusion)))
-        prisms.corners.insert(prisms.corners.end(), {a, b, c, top + a, top + b, top + c});
-    solid.parts = {prisms};
+    solid.parts = {prismsOn(trianglesOf(outlineOf(extrusion)), top)};
     return solid;
 }
 

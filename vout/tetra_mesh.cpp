@@ -2,17 +2,10 @@
 
 #include "legacy/report.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <climits>
 
 namespace vo {
-
-double sixfoldVolume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d)
-{
-    return glm::dot(glm::cross(b - a, c - a), d - a);
-}
 
 std::unique_ptr<voIndexedTetraSet> tetraSet(const TetraMesh& mesh)
 {

@@ -42,10 +42,6 @@ struct TetraMesh
     }
 };
 
-/// Six times the volume; positive where d sees a, b, c counter-clockwise from its side's back: a tetrahedron
-/// of three axes' unit vectors, from the origin, has 1.
-double sixfoldVolume(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
-
 /// The mesh as a set of its own. Throws std::bad_alloc.
 std::unique_ptr<voIndexedTetraSet> tetraSet(const TetraMesh& mesh);
 

@@ -2,6 +2,9 @@
 
 #include "mesh_io/mesh_io.h"
 
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <bit>
 #include <cstring>
@@ -18,6 +21,16 @@
 namespace vo::test {
 
 using Point = std::array<double, 3>;
+
+/// Positive for tetrahedra of the project's handedness.
+inline double volumeOf(const SplitMesh& split, const std::array<std::int64_t, 4>& tetra)
+{
+    const auto at = [&](std::size_t i) {
+        const auto& [x, y, z] = split.points[static_cast<std::size_t>(tetra[i])];
+        return glm::dvec3(x, y, z);
+    };
+    return glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), at(3) - at(0)) / 6;
+}
 
 /// A box of n x n x n cells whose inner points are moved: columns of hexahedra and of pairs of prisms, and
 /// cells of six pyramids or of twelve tetrahedra, which meet face to face.

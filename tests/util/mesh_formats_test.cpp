@@ -248,8 +248,7 @@ TEST_F(MeshFormats, voxelsAndPrismsOfEitherHandAreRead)
         double volume = 0;
         const vo::SplitMesh split = vo::splitMesh(*mesh);
         for (const auto& t : split.tetras) {
-            const auto at = [&](std::size_t i) { return split.points[static_cast<std::size_t>(t[i])]; };
-            const double piece = vo::sixfoldVolume(at(0), at(1), at(2), at(3)) / 6;
+            const double piece = volumeOf(split, t);
             EXPECT_GT(piece, 0);
             volume += piece;
         }
@@ -368,10 +367,8 @@ protected:
     {
         const vo::SplitMesh split = vo::splitMesh(mesh);
         double sum = 0;
-        for (const auto& t : split.tetras) {
-            const auto at = [&](std::size_t i) { return split.points[static_cast<std::size_t>(t[i])]; };
-            sum += vo::sixfoldVolume(at(0), at(1), at(2), at(3)) / 6;
-        }
+        for (const auto& t : split.tetras)
+            sum += volumeOf(split, t);
         return sum;
     }
 };

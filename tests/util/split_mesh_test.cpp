@@ -8,12 +8,6 @@ namespace {
 using namespace vo::test;
 using vo::CellKind;
 
-double volumeOf(const vo::SplitMesh& split, const std::array<std::int64_t, 4>& t)
-{
-    const auto at = [&](std::size_t i) { return split.points[static_cast<std::size_t>(t[i])]; };
-    return vo::sixfoldVolume(at(0), at(1), at(2), at(3)) / 6;
-}
-
 /// That the tetrahedra fill a box of n x n x n: each face lies on the box's sides or between two.
 void expectFilled(const vo::SplitMesh& split, int n, const std::string& what)
 {

@@ -1,7 +1,8 @@
 #include "mesh_assembly.h"
 
+#include "mesh_cell.h"
+
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "volume_io/printable_text.h"
@@ -31,26 +32,7 @@ public:
     /// 1 or -1 for a cell of our handedness or the other; 0 for one of no volume.
     int handedness(CellKind kind, std::span<const std::int64_t> cell) const
     {
-        std::array<std::array<double, 3>, kMostCorners + 1> corner{};
-        std::array<double, 3>& middle = corner[kCellMiddle];
-        double size = 0, farthest = 0;
-        for (std::size_t i = 0; i < cell.size(); ++i) {
-            corner[i] = points_[static_cast<std::size_t>(cell[i])];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                middle[axis] += corner[i][axis] / static_cast<double>(cell.size());
-                size = std::max(size, std::abs(corner[i][axis] - corner[0][axis]));
-                farthest = std::max(farthest, std::abs(corner[i][axis]));
-            }
-        }
-        double volume = 0;
-        const CellPieces pieces = splitFromMiddle(kind, cutsFromSmallest(kind, cell));
-        for (const CornerTetra& t : pieces.all())
-            volume +=
-                sixfoldVolume(corner[static_cast<std::size_t>(t[0])], corner[static_cast<std::size_t>(t[1])],
-                              corner[static_cast<std::size_t>(t[2])], corner[static_cast<std::size_t>(t[3])]);
-        // What is left of exact zeros after rounding.
-        if (std::abs(volume) <= std::ldexp(size * size * farthest, -44)) return 0;
-        return volume > 0 ? 1 : -1;
+        return cellSpace(kind, cell, points_).handedness(splitFromMiddle(kind, cutsFromSmallest(kind, cell)));
     }
 
 private:

@@ -96,8 +96,4 @@ SplitMesh splitMesh(const Mesh& mesh);
 /// A field at the points of the split mesh: in the middle of a cell, the mean of its corners.
 std::vector<double> valuesAtPoints(const Mesh& mesh, const SplitMesh& split, const MeshField& pointField);
 
-/// Six times the volume of a tetrahedron; positive as CornerTetra has it.
-double sixfoldVolume(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                     const std::array<double, 3>& c, const std::array<double, 3>& d);
-
 } // namespace vo

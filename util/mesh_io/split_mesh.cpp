@@ -1,70 +1,22 @@
+#include "mesh_cell.h"
 #include "mesh_io.h"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace vo {
 namespace {
 
-using Point = std::array<double, 3>;
-
-/// Chooses among ways to split a cell: the first whose tetrahedra all have a volume, else the first of which
-/// none is inside out.
-class Choice
-{
-public:
-    Choice(const Mesh& mesh, std::span<const std::int64_t> cell)
-    {
-        double size = 0, farthest = 0;
-        for (std::size_t i = 0; i < cell.size(); ++i) {
-            point_[i] = mesh.points[static_cast<std::size_t>(cell[i])];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                point_[kCellMiddle][axis] += point_[i][axis] / static_cast<double>(cell.size());
-                size = std::max(size, std::abs(point_[i][axis] - point_[0][axis]));
-                farthest = std::max(farthest, std::abs(point_[i][axis]));
-            }
-        }
-        noise_ = std::ldexp(size * size * farthest, -44);
-    }
-
-    /// Whether the search is over.
-    bool takes(const CellPieces& pieces)
-    {
-        double smallest = HUGE_VAL;
-        for (const CornerTetra& tetra : pieces.all())
-            smallest = std::min(smallest, volume(tetra));
-        if (smallest > noise_ || (!chosen_ && smallest >= -noise_)) chosen_ = pieces;
-        return smallest > noise_;
-    }
-    /// Those that have a volume are worth keeping.
-    bool isFlat(const CornerTetra& tetra) const { return volume(tetra) <= noise_; }
-    const std::optional<CellPieces>& chosen() const { return chosen_; }
-    const Point& middle() const { return point_[kCellMiddle]; }
-
-private:
-    double volume(const CornerTetra& t) const
-    {
-        const auto at = [&](std::size_t i) -> const Point& { return point_[static_cast<std::size_t>(t[i])]; };
-        return sixfoldVolume(at(0), at(1), at(2), at(3));
-    }
-
-    std::array<Point, kMostCorners + 1> point_{};
-    double noise_ = 0;
-    std::optional<CellPieces> chosen_;
-};
-
-void appendPieces(SplitMesh& split, const Choice& choice, std::span<const std::int64_t> cell,
-                  std::int64_t cellNumber)
+/// Those pieces that have a volume.
+void appendPieces(SplitMesh& split, const CellPieces& pieces, const CellSpace& space,
+                  std::span<const std::int64_t> cell, std::int64_t cellNumber)
 {
     std::int64_t middle = -1;
-    for (const CornerTetra& piece : choice.chosen()->all()) {
-        if (choice.isFlat(piece)) continue;
+    for (const CornerTetra& piece : pieces.all()) {
+        if (space.isFlat(piece)) continue;
         std::array<std::int64_t, 4> tetra{};
         for (std::size_t i = 0; i < 4; ++i) {
             if (piece[i] == kCellMiddle && middle < 0) {
                 middle = static_cast<std::int64_t>(split.points.size());
-                split.points.push_back(choice.middle());
+                const glm::dvec3& place = space.at(kCellMiddle);
+                split.points.push_back({place.x, place.y, place.z});
                 split.middleOfCell.push_back(cellNumber);
             }
             tetra[i] = piece[i] == kCellMiddle ? middle : cell[static_cast<std::size_t>(piece[i])];
@@ -75,18 +27,6 @@ void appendPieces(SplitMesh& split, const Choice& choice, std::span<const std::i
 }
 
 } // namespace
-
-double sixfoldVolume(const Point& a, const Point& b, const Point& c, const Point& d)
-{
-    Point ab, ac, ad;
-    for (std::size_t i = 0; i < 3; ++i) {
-        ab[i] = b[i] - a[i];
-        ac[i] = c[i] - a[i];
-        ad[i] = d[i] - a[i];
-    }
-    return ab[0] * (ac[1] * ad[2] - ac[2] * ad[1]) + ab[1] * (ac[2] * ad[0] - ac[0] * ad[2]) +
-           ab[2] * (ac[0] * ad[1] - ac[1] * ad[0]);
-}
 
 SplitMesh splitMesh(const Mesh& mesh)
 {
@@ -105,9 +45,10 @@ SplitMesh splitMesh(const Mesh& mesh)
             split.cellOfTetra.push_back(number);
             continue;
         }
-        Choice choice(mesh, cell);
+        const CellSpace space = cellSpace(mesh.kinds[i], cell, mesh.points);
+        SplitChoice choice(space, 1);
         offerSplits(mesh.kinds[i], cell, [&](const CellPieces& pieces) { return choice.takes(pieces); });
-        if (choice.chosen()) appendPieces(split, choice, cell, number);
+        if (choice.chosen()) appendPieces(split, *choice.chosen(), space, cell, number);
     }
     return split;
 }
