@@ -281,6 +281,11 @@ void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, Vo
         voglDrawOutlines(outlines, bricks, polygons.getFormat());
     else
         voglDrawOutlines(tetraSet, bricks, polygons.getFormat());
+    voglDrawPolygons(bricks, polygons);
+}
+
+void voglDrawPolygons(voBrickSetCollection* bricks, VoglPolygons& polygons)
+{
     if (options.engine) {
         voglBeginBlending();
         polygons.drawAtOnce();

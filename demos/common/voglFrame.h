@@ -83,3 +83,5 @@ void voglEndSlices(voBrickSetCollection* bricks);
    `outlines`, if any, is outlined instead of the tetrahedra. */
 void voglDrawFrame(voIndexedTetraSet* tetraSet, voBrickSetCollection* bricks, VoglPolygons& polygons,
                    voIndexedFaceSet* outlines = nullptr);
+/** The part of it that comes after the stack was chosen and outlines were drawn. */
+void voglDrawPolygons(voBrickSetCollection* bricks, VoglPolygons& polygons);

@@ -3,13 +3,9 @@
 
 #include "drag_vertex.h"
 #include "vector_file.h"
-#include "voglFrame.h"
 #include "voglLattice.h"
-#include "voglLookup.h"
-#include "voglVolume.h"
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -93,11 +89,7 @@ const VoglProgram voglProgram = {
     .key = undo,
 };
 
-static const voInterleavedArrayType format = voInterleavedArrayTypeScope::T3F_V3F;
-static VoglVolume volume;
-static VoglSource source;
-static std::unique_ptr<voutLattice> lattice;
-static std::unique_ptr<VoglPolygons> polygons;
+static VoglWarpedVolume volume;
 static std::optional<VertexDrag> drag;
 static bool latticeChanged = false;
 
@@ -107,39 +99,39 @@ bool pointer(vo::Button button, bool pressed, double x, double y)
 {
     if (button != vo::Button::Right) return false;
     const VoglView& view = voglView();
-    if (pressed) drag.emplace(*lattice, view, x * view.width, y * view.height);
+    if (pressed) drag.emplace(volume.getLattice(), view, x * view.width, y * view.height);
     if (!drag) return true;
-    drag->dragTo(*lattice, view, x * view.width, y * view.height);
+    drag->dragTo(volume.getLattice(), view, x * view.width, y * view.height);
     latticeChanged = true;
     return true;
 }
 
-void displace(const Warp& warp)
+void displace(voutLattice& lattice, const Warp& warp)
 {
     auto grid = readVectors(warp.file);
     if (!grid) voglFail("voglDeform", grid.failure().text);
     for (std::size_t i = 0; i < grid->parts.size(); i++)
         grid->parts[i] *= float(fieldScale[i % 3]);
-    lattice->displace(grid->parts.data(), grid->size);
+    lattice.displace(grid->parts.data(), grid->size);
 }
 
-void warpLattice()
+void warpLattice(voutLattice& lattice)
 {
     for (const Warp& warp : warps) {
-        if (warp.kind == "twist") lattice->twist(2, float(warp.amount));
-        if (warp.kind == "bend") lattice->bend(2, 0, float(warp.amount));
-        if (warp.kind == "taper") lattice->taper(2, float(warp.amount));
-        if (warp.kind == "field") displace(warp);
+        if (warp.kind == "twist") lattice.twist(2, float(warp.amount));
+        if (warp.kind == "bend") lattice.bend(2, 0, float(warp.amount));
+        if (warp.kind == "taper") lattice.taper(2, float(warp.amount));
+        if (warp.kind == "field") displace(lattice, warp);
     }
-    if (!warps.empty()) lattice->fit();
+    if (!warps.empty()) lattice.fit();
 }
 
 bool undo(int key)
 {
     if (key != 'u') return false;
     drag.reset();
-    lattice->reset();
-    warpLattice();
+    volume.getLattice().reset();
+    warpLattice(volume.getLattice());
     latticeChanged = true;
     return true;
 }
@@ -147,8 +139,8 @@ bool undo(int key)
 void makeDrags()
 {
     for (const Drag& each : drags)
-        VertexDrag(*lattice, voglView(), each.fromX, each.fromY)
-            .dragTo(*lattice, voglView(), each.toX, each.toY);
+        VertexDrag(volume.getLattice(), voglView(), each.fromX, each.fromY)
+            .dragTo(volume.getLattice(), voglView(), each.toX, each.toY);
     latticeChanged = latticeChanged || !drags.empty();
     drags.clear();
 }
@@ -157,44 +149,32 @@ void makeDrags()
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    source = voglOpenFile(argv[0], argv[1]);
-    volume = voglReadVolume(argv[0], source);
-    return volume.bricks;
+    return volume.read(argv[0], argv[1]);
 }
 
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
-    lattice = voglMakeLattice(boxes, volume, source);
-    lattice->setTetrasPerHexa(tetrasPerBox);
-    warpLattice();
-    voglReportFolds("voglDeform", *lattice);
-    voIndexedTetraSet* aTetraSet = lattice->tessellate();
-    polygons = std::make_unique<VoglPolygons>(aTetraSet, volume, format);
-    return aTetraSet;
+    voutLattice& lattice = volume.makeLattice(boxes);
+    lattice.setTetrasPerHexa(tetrasPerBox);
+    warpLattice(lattice);
+    return volume.tessellate();
 }
 
 void my_InitGfx(voIndexedTetraSet*, voBrickSetCollection*)
 {
-    voglInitTextures(volume);
+    volume.initTextures();
 }
 
-void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume)
+void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
 {
     makeDrags();
-    if (latticeChanged) {
-        voglReportFolds("voglDeform", *lattice);
-        voglMoveTetras(*lattice, aTetraSet);
-        polygons = std::make_unique<VoglPolygons>(aTetraSet, volume, format);
-        latticeChanged = false;
-    }
-    voglDrawLatticeFrame(*lattice, aTetraSet, aVolume, *polygons);
+    if (latticeChanged) volume.moveTetras(aTetraSet);
+    latticeChanged = false;
+    volume.draw(aTetraSet);
 }
 
 void my_Cleanup(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
 {
-    polygons.reset();
-    lattice.reset();
+    volume.free();
     delete aTetraSet;
-    deleteLookupTable();
-    voglFreeVolume(volume);
 }

@@ -2,14 +2,9 @@
 // 14).
 #include "voglMain.h"
 
-#include "voglFrame.h"
 #include "voglLattice.h"
-#include "voglLookup.h"
-#include "voglVolume.h"
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <optional>
 
 namespace {
@@ -70,17 +65,11 @@ const VoglProgram voglProgram = {
                 voglLatticeOption(boxes)},
 };
 
-static const voInterleavedArrayType format = voInterleavedArrayTypeScope::T3F_V3F;
-static VoglVolume volume;
-static VoglSource source;
-static std::unique_ptr<voutLattice> lattice;
-static std::unique_ptr<VoglPolygons> polygons;
+static VoglWarpedVolume volume;
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
-    source = voglOpenFile(argv[0], argv[1]);
-    volume = voglReadVolume(argv[0], source);
-    return volume.bricks;
+    return volume.read(argv[0], argv[1]);
 }
 
 // A box for every three degrees, and half as many along the beams, which stay straight.
@@ -95,37 +84,26 @@ static void chooseBoxes()
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
     chooseBoxes();
-    lattice = voglMakeLattice(boxes, volume, source);
-    if (!radii) {
-        const std::size_t axis = std::size_t(depthAxis);
-        const double depth =
-            volume.size[axis] * (options.scale ? (*options.scale)[axis] : source.spacing[axis]);
-        radii = {depth / 3, depth / 3 + depth};
-    }
-    lattice->fan(depthAxis, beamAxis, float(angle), float(radii->inner), float(radii->outer),
-                 float(elevation));
-    lattice->fit();
-    voglReportFolds("voglFan", *lattice);
-    voIndexedTetraSet* aTetraSet = lattice->tessellate();
-    polygons = std::make_unique<VoglPolygons>(aTetraSet, volume, format);
-    return aTetraSet;
+    voutLattice& lattice = volume.makeLattice(boxes);
+    const double depth = volume.getSize(depthAxis) * volume.getSpacing(depthAxis);
+    const Radii fan = radii.value_or(Radii{depth / 3, depth / 3 + depth});
+    lattice.fan(depthAxis, beamAxis, float(angle), float(fan.inner), float(fan.outer), float(elevation));
+    lattice.fit();
+    return volume.tessellate();
 }
 
 void my_InitGfx(voIndexedTetraSet*, voBrickSetCollection*)
 {
-    voglInitTextures(volume);
+    volume.initTextures();
 }
 
-void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection* aVolume)
+void my_DrawVolume(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
 {
-    voglDrawLatticeFrame(*lattice, aTetraSet, aVolume, *polygons);
+    volume.draw(aTetraSet);
 }
 
 void my_Cleanup(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
 {
-    polygons.reset();
-    lattice.reset();
+    volume.free();
     delete aTetraSet;
-    deleteLookupTable();
-    voglFreeVolume(volume);
 }

@@ -39,12 +39,7 @@ protected:
 
     void expectOneLine(const std::string& program, const std::string& words, const std::string& named)
     {
-        const ProgramRun run = folder.run(program, "-output bad.png " + words);
-        EXPECT_EQ(run.status, 1) << words;
-        EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-        EXPECT_EQ(run.output, "") << words;
-        EXPECT_FALSE(std::filesystem::exists(folder / "bad.png")) << words;
+        vo::expectOneLine(folder, program, words, named);
     }
 
     vo::ScratchFolder folder;

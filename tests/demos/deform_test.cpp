@@ -183,18 +183,8 @@ protected:
         vo::writeBytes(folder / "soft.tif", kSize.x, kSize.y, kSize.z, [this](int x, int y, int z) {
             return int(std::lround(255 * double(field.at(x, y, z))));
         });
-        std::ofstream lut(folder / "smooth.lut");
-        for (int i = 0; i < 256; ++i) {
-            const double v = i / 255.0;
-            for (const double entry :
-                 {v, 1 - v, 0.5 + 0.4 * std::sin(6 * v), 0.12 * std::clamp(4 * v - 0.4, 0.0, 1.0)}) {
-                char text[20];
-                std::snprintf(text, sizeof text, "%.4f", entry);
-                lut << text << ' ';
-                table.push_back(std::stof(text));
-            }
-            lut << '\n';
-        }
+        table = vo::writeSmoothTable(folder / "smooth.lut",
+                                     [](double v) { return 0.12 * std::clamp(4 * v - 0.4, 0.0, 1.0); });
     }
 
     std::vector<float> draw(const std::string& program, const std::string& words)
@@ -208,14 +198,6 @@ protected:
         const auto picture = vo::readPng(folder / "picture.png");
         EXPECT_TRUE(picture) << words;
         return picture ? vo::pixelsOf(*picture) : std::vector<float>(kWidth * kHeight * 4);
-    }
-
-    void expectOneLine(const std::string& program, const std::string& words, const std::string& named)
-    {
-        const vo::ProgramRun run = folder.run(program, "-output bad.png " + words);
-        EXPECT_EQ(run.status, 1) << words;
-        EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
     }
 
     Scene scene(const dvec3& scale = dvec3(1), double degrees = 0) const
@@ -469,18 +451,24 @@ TEST_F(Deform, badOptionsAreNamed)
     std::ofstream(folder / "nan.nrrd", std::ios::binary)
         << "NRRD0004\ntype: float\ndimension: 4\nsizes: 3 1 1 1\nendian: little\nencoding: ascii\n\n0 nan "
            "0\n";
-    expectOneLine("voglDeform", "soft.tif -warp spin 3", "twist, bend, taper or field");
-    expectOneLine("voglDeform", "soft.tif -warp twist much", "-warp");
-    expectOneLine("voglDeform", "soft.tif -lattice 0 1 1", "-lattice");
-    expectOneLine("voglDeform", "soft.tif -lattice 1 1 1000", "-lattice");
-    expectOneLine("voglDeform", "soft.tif -split 7", "5, 6 or 24");
-    expectOneLine("voglDeform", "soft.tif -warp field none.nrrd", "none.nrrd");
-    expectOneLine("voglDeform", "soft.tif -warp field grey.tif", "vectors of 3 parts");
-    expectOneLine("voglDeform", "soft.tif -warp field nan.nrrd", "range of floats");
-    expectOneLine("voglFan", "soft.tif -radius 5 5", "R0 below R1");
-    expectOneLine("voglFan", "soft.tif -axes x x", "two axes");
-    expectOneLine("voglFan", "soft.tif -axes a x", "x, y or z");
-    expectOneLine("voglFan", "soft.tif -angle 0", "-angle");
+    struct Refused
+    {
+        const char *program, *option, *named;
+    };
+    for (const auto& [program, option, named] :
+         {Refused{"voglDeform", "-warp spin 3", "twist, bend, taper or field"},
+          {"voglDeform", "-warp twist much", "-warp"},
+          {"voglDeform", "-lattice 0 1 1", "-lattice"},
+          {"voglDeform", "-lattice 1 1 1000", "-lattice"},
+          {"voglDeform", "-split 7", "5, 6 or 24"},
+          {"voglDeform", "-warp field none.nrrd", "none.nrrd"},
+          {"voglDeform", "-warp field grey.tif", "vectors of 3 parts"},
+          {"voglDeform", "-warp field nan.nrrd", "range of floats"},
+          {"voglFan", "-radius 5 5", "R0 below R1"},
+          {"voglFan", "-axes x x", "two axes"},
+          {"voglFan", "-axes a x", "x, y or z"},
+          {"voglFan", "-angle 0", "-angle"}})
+        vo::expectOneLine(folder, program, std::string("soft.tif ") + option, named);
 }
 
 } // namespace

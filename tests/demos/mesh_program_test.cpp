@@ -70,17 +70,7 @@ class MeshProgram : public testing::Test
 protected:
     MeshProgram()
     {
-        std::ofstream lut(folder / "smooth.lut");
-        for (int i = 0; i < 256; ++i) {
-            const double v = i / 255.0;
-            for (const double entry : {v, 1 - v, 0.5 + 0.4 * std::sin(6 * v), 0.004 + 0.02 * v * v}) {
-                char text[20];
-                std::snprintf(text, sizeof text, "%.5f", entry);
-                lut << text << ' ';
-                table.push_back(std::stod(text));
-            }
-            lut << '\n';
-        }
+        table = vo::writeSmoothTable(folder / "smooth.lut", [](double v) { return 0.004 + 0.02 * v * v; });
     }
 
     /// The table at `part` of its way, linear between entries.
@@ -89,9 +79,10 @@ protected:
         const double place = std::clamp(part, 0.0, 1.0) * 255;
         const auto entry = std::min<std::size_t>(static_cast<std::size_t>(place), 254);
         Rgba rgba{};
-        for (std::size_t i = 0; i < 4; ++i)
-            rgba[i] = table[4 * entry + i] + (place - static_cast<double>(entry)) *
-                                                 (table[4 * entry + 4 + i] - table[4 * entry + i]);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double below = double(table[4 * entry + i]), above = double(table[4 * entry + 4 + i]);
+            rgba[i] = below + (place - static_cast<double>(entry)) * (above - below);
+        }
         return rgba;
     }
 
@@ -116,13 +107,10 @@ protected:
 
     void expectOneLine(const std::string& words, const std::string& named)
     {
-        const vo::ProgramRun run = folder.run("voglMesh", words + " -output bad.png");
-        EXPECT_EQ(run.status, 1) << words;
-        EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        vo::expectOneLine(folder, "voglMesh", words, named);
     }
 
-    std::vector<double> table;
+    std::vector<float> table;
     vo::ScratchFolder folder;
 };
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -94,6 +96,35 @@ void writeChannels(const std::filesystem::path& path, int xSize, int ySize, int 
         << ' ' << xSize << ' ' << ySize << ' ' << zSize
         << "\nkinds: vector space space space\nencoding: raw\n\n"
         << voxels;
+}
+
+std::vector<float> writeSmoothTable(const std::filesystem::path& path,
+                                    const std::function<double(double)>& opacity)
+{
+    std::ofstream file(path);
+    std::vector<float> table;
+    for (int i = 0; i < 256; ++i) {
+        const double v = i / 255.0;
+        for (const double entry : {v, 1 - v, 0.5 + 0.4 * std::sin(6 * v), opacity(v)}) {
+            char text[20];
+            std::snprintf(text, sizeof text, "%.5f", entry);
+            file << text << ' ';
+            table.push_back(std::stof(text));
+        }
+        file << '\n';
+    }
+    return table;
+}
+
+void expectOneLine(const ScratchFolder& folder, const std::string& program, const std::string& words,
+                   const std::string& named)
+{
+    const ProgramRun run = folder.run(program, "-output bad.png " + words);
+    EXPECT_EQ(run.status, 1) << words;
+    EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_EQ(run.output, "") << words;
+    EXPECT_FALSE(std::filesystem::exists(folder / "bad.png")) << words;
 }
 
 std::string readFile(const std::filesystem::path& path)

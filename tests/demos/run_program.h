@@ -54,6 +54,15 @@ void writeShorts(const std::filesystem::path& path, int xSize, int ySize, int zS
 void writeChannels(const std::filesystem::path& path, int xSize, int ySize, int zSize,
                    const std::string& voxels);
 
+/// Writes 256 colours that change smoothly, opacity(v) at 0 <= v <= 1; returns the numbers that the file
+/// holds.
+std::vector<float> writeSmoothTable(const std::filesystem::path& path,
+                                    const std::function<double(double)>& opacity);
+
+/// A run that must fail with one line that holds `named`, and leave no picture.
+void expectOneLine(const ScratchFolder& folder, const std::string& program, const std::string& words,
+                   const std::string& named);
+
 std::string readFile(const std::filesystem::path& path);
 
 /// Red, green or blue of a pixel, y from the top.

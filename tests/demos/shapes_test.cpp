@@ -96,17 +96,7 @@ protected:
         vo::writeBytes(folder / "soft.tif", 24, 20, 16, [this](int x, int y, int z) {
             return int(std::lround(255 * double(field.at(x, y, z))));
         });
-        std::ofstream lut(folder / "smooth.lut");
-        for (int i = 0; i < 256; ++i) {
-            const double v = i / 255.0;
-            for (const double entry : {v, 1 - v, 0.5 + 0.4 * std::sin(6 * v), 0.02 + 0.1 * v * v}) {
-                char text[20];
-                std::snprintf(text, sizeof text, "%.4f", entry);
-                lut << text << ' ';
-                table.push_back(std::stof(text));
-            }
-            lut << '\n';
-        }
+        table = vo::writeSmoothTable(folder / "smooth.lut", [](double v) { return 0.02 + 0.1 * v * v; });
     }
 
     std::vector<float> draw(const std::string& program, const std::string& words)
@@ -122,10 +112,7 @@ protected:
 
     void expectOneLine(const std::string& program, const std::string& words, const std::string& named)
     {
-        const vo::ProgramRun run = folder.run(program, "-output bad.png " + words);
-        EXPECT_EQ(run.status, 1) << words;
-        EXPECT_NE(run.errors.find(named), std::string::npos) << words << ": " << run.errors;
-        EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+        vo::expectOneLine(folder, program, words, named);
     }
 
     /// The volume through the table, in a view.
