@@ -1,6 +1,6 @@
 // Where OpenGL runs on the processor, the samples of a sparse volume's slices are taken a pixel at once.
 
-#include "draw/draw_scene.h"
+#include "draw/sparse_slices.h"
 
 #include "support/compare.h"
 
@@ -22,68 +22,20 @@ constexpr int kPixels = 144;
 /// A sample too many or too few would be a thousandth at least.
 constexpr double kRounding = 1e-4;
 
-std::vector<float> tableFrom(int first)
-{
-    std::vector<float> table;
-    for (int i = 0; i < 256; ++i) {
-        const float v = static_cast<float>(i) / 255.0f;
-        table.insert(table.end(), {v, 0.5f * v, 1.0f - v, i < first ? 0.0f : 0.02f + 0.1f * v});
-    }
-    return table;
-}
-
-/// A small ball in a corner and a letter in another, nothing elsewhere.
-Field sparseField()
-{
-    Field sparse = constantField({64, 57, 61}, 0.0);
-    const auto put = [&](const Field& part, int x0, int y0, int z0) {
-        for (int z = 0; z < part.size.z; ++z)
-            for (int y = 0; y < part.size.y; ++y)
-                for (int x = 0; x < part.size.x; ++x)
-                    sparse.at(x0 + x, y0 + y, z0 + z) = part.at(x, y, z);
-    };
-    put(letterFField({20, 20, 20}), 3, 4, 5);
-    put(ballField({26, 26, 26}), 22, 18, 20);
-    return quantised(withEmptyBorder(sparse, 2));
-}
-
-class MarchedSlicesGL : public testing::Test
+class MarchedSlicesGL : public SparseSlices
 {
 protected:
-    MarchedSlicesGL()
-    {
-        setenv("VO_ENGINE", "slices", 1);
-        scene.volume = &field;
-        scene.width = scene.height = kPixels;
-        scene.overlap = 1;
-        scene.view = orthographicView({20, 30}, field.size, kPixels, kPixels);
-        scene.classification = Classification::postInterpolation;
-        scene.table = tableFrom(1);
-        options.utility = true;
-    }
-    ~MarchedSlicesGL() override { unsetenv("VO_ENGINE"); }
+    /// The ball lies across the seams of two bricks a side.
+    MarchedSlicesGL() : SparseSlices({22, 18, 20}, kPixels) {}
 
-    void open(OffscreenProfile profile = OffscreenProfile::Compatibility)
-    {
-        drawing.reset();
-        context = openFor(scene, profile);
-        drawing = std::make_unique<SceneDrawing>(*context, scene, options);
-        software = context->description().find("llvmpipe") != std::string::npos;
-    }
-
-    const GladGLContext& gl() const { return context->gl(); }
+    bool isSoftware() const { return context->description().find("llvmpipe") != std::string::npos; }
 
     /// Whether a frame's samples were taken a pixel at once.
     bool marches(const std::function<void()>& draw)
     {
-        std::ostringstream messages;
-        voError::setDebugLevel(2);
-        voError::setDebugStream(messages);
-        draw();
-        voError::setDebugLevel(0);
-        voError::setDebugStream(stderr);
+        const std::string messages = messagesOf(draw);
         EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
-        return messages.str().find("all of a pixel at once") != std::string::npos;
+        return messages.find("all of a pixel at once") != std::string::npos;
     }
     bool marches()
     {
@@ -115,15 +67,12 @@ protected:
     /// The largest difference of any channel between slices at once and one by one.
     double differenceFromSlices(const std::function<void()>& draw)
     {
-        EXPECT_EQ(marches(draw), software);
+        EXPECT_EQ(marches(draw), isSoftware());
         const std::vector<float> marched = context->readFloats();
         slice(draw);
         const std::vector<float> sliced = context->readFloats();
-        double largest = 0.0;
-        for (std::size_t i = 0; i < sliced.size(); ++i)
-            largest = std::max(largest, std::abs(static_cast<double>(marched[i]) - sliced[i]));
         EXPECT_GT(*std::ranges::max_element(sliced), 0.1f) << "the picture shows something";
-        return largest;
+        return largestDifference(marched, sliced);
     }
     double differenceFromSlices()
     {
@@ -132,19 +81,23 @@ protected:
 
     void expectTruth()
     {
-        EXPECT_EQ(marches(), software);
+        EXPECT_EQ(marches(), isSoftware());
         const Comparison comparison = compare(context->readFloats(), referencePicture(scene));
         EXPECT_LE(comparison.largestMasked, 5e-4) << comparison.summary();
         EXPECT_LE(comparison.fractionOff, 0.001) << comparison.summary();
         EXPECT_GT(comparison.opaquePixels, 500u);
     }
 
-    Field field = sparseField();
-    Scene scene;
-    DrawOptions options;
-    std::unique_ptr<vo::OffscreenContext> context;
-    std::unique_ptr<SceneDrawing> drawing;
-    bool software = false;
+    /// Head-on planes lie where voxels are centred.
+    void expectTruthHeadOn()
+    {
+        for (const Angles& angles :
+             {Angles{0, 0}, Angles{0, 90}, Angles{0, 180}, Angles{90, 0}, Angles{-90, 0}}) {
+            SCOPED_TRACE(testing::Message() << angles.latitude << " " << angles.longitude);
+            scene.view = orthographicView(angles, field.size, kPixels, kPixels);
+            expectTruth();
+        }
+    }
 };
 
 TEST_F(MarchedSlicesGL, areTheSamplesOfTheSlicesInDoublePrecision)
@@ -166,15 +119,10 @@ TEST_F(MarchedSlicesGL, areTheSamplesOfTheSlicesInDoublePrecision)
 
 TEST_F(MarchedSlicesGL, planesInSeamsShowOnce)
 {
-    // Head-on planes lie where voxels are centred, as seams do.
+    // Seams lie where voxels are centred, too.
     options.bricks = 2;
     open();
-    for (const Angles& angles :
-         {Angles{0, 0}, Angles{0, 90}, Angles{0, 180}, Angles{90, 0}, Angles{-90, 0}}) {
-        SCOPED_TRACE(testing::Message() << angles.latitude << " " << angles.longitude);
-        scene.view = orthographicView(angles, field.size, kPixels, kPixels);
-        expectTruth();
-    }
+    expectTruthHeadOn();
 }
 
 TEST_F(MarchedSlicesGL, planesInOuterFacesShow)
@@ -187,12 +135,7 @@ TEST_F(MarchedSlicesGL, planesInOuterFacesShow)
             }
     field = quantised(field);
     open();
-    for (const Angles& angles :
-         {Angles{0, 0}, Angles{0, 90}, Angles{0, 180}, Angles{90, 0}, Angles{-90, 0}}) {
-        SCOPED_TRACE(testing::Message() << angles.latitude << " " << angles.longitude);
-        scene.view = orthographicView(angles, field.size, kPixels, kPixels);
-        expectTruth();
-    }
+    expectTruthHeadOn();
 }
 
 TEST_F(MarchedSlicesGL, classifyAsSlicesDo)
@@ -320,7 +263,7 @@ TEST_F(MarchedSlicesGL, happenOnlyWhereNothingElseWouldSee)
     open();
     drawing->draw(scene.view);
     const auto draw = [&] { drawOver(); };
-    EXPECT_EQ(marches(draw), software);
+    EXPECT_EQ(marches(draw), isSoftware());
     gl().Enable(GL_DEPTH_TEST);
     gl().DepthMask(GL_FALSE);
     EXPECT_FALSE(marches(draw));
@@ -331,7 +274,7 @@ TEST_F(MarchedSlicesGL, happenOnlyWhereNothingElseWouldSee)
     gl().PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     EXPECT_FALSE(marches(draw));
     gl().PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    EXPECT_EQ(marches(draw), software);
+    EXPECT_EQ(marches(draw), isSoftware());
 
     options.explicitTexCoords = true;
     open();
@@ -363,7 +306,7 @@ TEST_F(MarchedSlicesGL, giveEveryTextureUnitBack)
         gl().BindSampler(unit, samplers[unit]);
     }
     gl().ActiveTexture(GL_TEXTURE0);
-    EXPECT_EQ(marches([&] { drawOver(); }), software);
+    EXPECT_EQ(marches([&] { drawOver(); }), isSoftware());
     GLint active = 0, source = 0, destination = 0;
     gl().GetIntegerv(GL_ACTIVE_TEXTURE, &active);
     EXPECT_EQ(active, GL_TEXTURE0);

@@ -1,6 +1,6 @@
 // drawUtility leaves out what cannot be seen; the picture stays.
 
-#include "draw/draw_scene.h"
+#include "draw/sparse_slices.h"
 
 #include "support/compare.h"
 
@@ -29,76 +29,30 @@ struct Frame
     GLuint fragments = 0;
 };
 
-double largestDifference(const Frame& a, const Frame& b)
-{
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.picture.size(); ++i)
-        largest = std::max(largest, std::abs(static_cast<double>(a.picture[i]) - b.picture[i]));
-    return largest;
-}
+constexpr int kPixels = 160;
+constexpr Place kBall{36, 29, 33};
 
-/// Rows from red to blue whose opacity begins at entry `first` of 256.
-std::vector<float> tableFrom(int first)
-{
-    std::vector<float> table;
-    for (int i = 0; i < 256; ++i) {
-        const float v = static_cast<float>(i) / 255.0f;
-        table.insert(table.end(), {v, 0.5f * v, 1.0f - v, i < first ? 0.0f : 0.02f + 0.1f * v});
-    }
-    return table;
-}
-
-/// A small ball in a corner and a thin letter in another, nothing elsewhere.
-Field sparseField()
-{
-    const VoxelSize size{64, 57, 61};
-    Field field = letterFField({24, 24, 24});
-    const Field ball = ballField({26, 26, 26});
-    Field sparse = constantField(size, 0.0);
-    for (int z = 0; z < 24; ++z)
-        for (int y = 0; y < 24; ++y)
-            for (int x = 0; x < 24; ++x)
-                sparse.at(3 + x, 4 + y, 5 + z) = field.at(x, y, z);
-    for (int z = 0; z < 26; ++z)
-        for (int y = 0; y < 26; ++y)
-            for (int x = 0; x < 26; ++x)
-                sparse.at(36 + x, 29 + y, 33 + z) = ball.at(x, y, z);
-    return quantised(withEmptyBorder(sparse, 2));
-}
-
-class SpaceLeapingGL : public testing::Test
+class SpaceLeapingGL : public SparseSlices
 {
 protected:
-    SpaceLeapingGL()
-    {
-        setenv("VO_ENGINE", "slices", 1);
-        scene.volume = &field;
-        scene.width = scene.height = 160;
-        scene.overlap = 1;
-        scene.view = orthographicView({20, 30}, field.size, 160, 160);
-        scene.classification = Classification::postInterpolation;
-        scene.table = tableFrom(1);
-        options.utility = true;
-    }
-    ~SpaceLeapingGL() override { unsetenv("VO_ENGINE"); }
+    /// The ball lies in the corner opposite the letter's.
+    SpaceLeapingGL() : SparseSlices(kBall, kPixels) {}
 
-    void open(OffscreenProfile profile = OffscreenProfile::Compatibility)
+    static double largestDifference(const Frame& a, const Frame& b)
     {
-        context = openFor(scene, profile);
-        drawing = std::make_unique<SceneDrawing>(*context, scene, options);
+        return SparseSlices::largestDifference(a.picture, b.picture);
     }
 
     Frame frame()
     {
-        const GladGLContext& gl = context->gl();
         GLuint query = 0;
         Frame result;
-        gl.GenQueries(1, &query);
-        gl.BeginQuery(GL_SAMPLES_PASSED, query);
+        gl().GenQueries(1, &query);
+        gl().BeginQuery(GL_SAMPLES_PASSED, query);
         drawing->draw(scene.view);
-        gl.EndQuery(GL_SAMPLES_PASSED);
-        gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result.fragments);
-        gl.DeleteQueries(1, &query);
+        gl().EndQuery(GL_SAMPLES_PASSED);
+        gl().GetQueryObjectuiv(query, GL_QUERY_RESULT, &result.fragments);
+        gl().DeleteQueries(1, &query);
         result.picture = context->readFloats();
         return result;
     }
@@ -106,11 +60,10 @@ protected:
     /// Every fragment leaves a depth: none can be left out.
     Frame wholeFrame()
     {
-        const GladGLContext& gl = context->gl();
-        gl.Enable(GL_DEPTH_TEST);
-        gl.DepthFunc(GL_ALWAYS);
+        gl().Enable(GL_DEPTH_TEST);
+        gl().DepthFunc(GL_ALWAYS);
         Frame result = frame();
-        gl.Disable(GL_DEPTH_TEST);
+        gl().Disable(GL_DEPTH_TEST);
         return result;
     }
 
@@ -128,12 +81,6 @@ protected:
         const Frame first = frame(), whole = wholeFrame();
         EXPECT_EQ(first.fragments, whole.fragments);
     }
-
-    Field field = sparseField();
-    Scene scene;
-    DrawOptions options;
-    std::unique_ptr<vo::OffscreenContext> context;
-    std::unique_ptr<SceneDrawing> drawing;
 };
 
 TEST_F(SpaceLeapingGL, leavesThePictureAsItIs)
@@ -141,14 +88,13 @@ TEST_F(SpaceLeapingGL, leavesThePictureAsItIs)
     for (const int bricks : {1, 2, 3}) {
         options.bricks = bricks;
         for (const OffscreenProfile profile : {OffscreenProfile::Compatibility, OffscreenProfile::Core}) {
-            drawing.reset();
             open(profile);
             for (const Angles& angles : {Angles{20, 30}, Angles{0, 0}, Angles{-70, 200}}) {
                 SCOPED_TRACE(testing::Message() << bricks << " bricks a side, from " << angles.latitude << " "
                                                 << angles.longitude);
-                scene.view = orthographicView(angles, field.size, 160, 160);
+                scene.view = orthographicView(angles, field.size, kPixels, kPixels);
                 expectLeaped();
-                scene.view = perspectiveView(angles, field.size, 160, 160, 50);
+                scene.view = perspectiveView(angles, field.size, kPixels, kPixels, 50);
                 expectLeaped();
             }
         }
@@ -161,22 +107,18 @@ TEST_F(SpaceLeapingGL, goesByTheTableThatIsActive)
     scene.color = {1, 1, 1, 0.2};
     open();
     expectLeaped();
-    drawing.reset();
     scene.color = {1, 1, 1, 1};
     scene.classification = Classification::preInterpolation;
     open();
     expectLeaped();
-    drawing.reset();
     scene.classification = Classification::postInterpolation;
     scene.table = tableFrom(200);
     open();
     const Frame little = frame();
     expectLeaped(0.6);
-    drawing.reset();
     scene.table = tableFrom(0);
     open();
     expectWhole();
-    drawing.reset();
     scene.table = tableFrom(1);
     open();
     EXPECT_GT(frame().fragments, little.fragments);
@@ -219,7 +161,6 @@ TEST_F(SpaceLeapingGL, happensOnlyWhereAClearFragmentLeavesNoTrace)
     scene.compositing = Compositing::max;
     open();
     expectWhole();
-    drawing.reset();
     scene.compositing = Compositing::sum;
     open();
     expectWhole();
@@ -244,19 +185,13 @@ TEST_F(SpaceLeapingGL, volumesThatAlternateKeepTheirRanges)
 {
     options.bricks = 2;
     open();
-    const Field otherField = sparseField();
+    const Field otherField = sparseField(kBall);
     Scene otherScene = scene;
     otherScene.volume = &otherField;
     otherScene.table = tableFrom(100);
     auto other = std::make_unique<SceneDrawing>(*context, otherScene, options);
     const auto rangesFound = [&](SceneDrawing& volume) {
-        std::ostringstream messages;
-        voError::setDebugLevel(2);
-        voError::setDebugStream(messages);
-        volume.draw(scene.view);
-        voError::setDebugLevel(0);
-        voError::setDebugStream(stderr);
-        std::istringstream lines(messages.str());
+        std::istringstream lines(messagesOf([&] { volume.draw(scene.view); }));
         int count = 0;
         for (std::string line; std::getline(lines, line);)
             count += line.find("ranges of a brick's voxels found") != std::string::npos;
