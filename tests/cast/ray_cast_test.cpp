@@ -259,6 +259,27 @@ TEST(RayCast, opaqueThingsHideWhatIsBehind)
         }
 }
 
+/// A request with a crooked unit of length, times `size`, and its truth.
+struct Gauged
+{
+    Gauged(const Scene& scene, double size) : own(scene, {})
+    {
+        const glm::dmat3 gauge(glm::dvec3(0.4, 0.1, 0.0) * size, glm::dvec3(0.0, 0.9, 0.2) * size,
+                               glm::dvec3(0.3, 0.0, 1.7) * size);
+        own.request.opacityGauge = gauge;
+        const auto camera = vo::findCamera(own.request.model, own.request.projection);
+        truth = restricted(
+            scene, [](const glm::dvec3&) { return true; },
+            [gauge, camera](const glm::dvec3& p, std::array<double, 4>& sample) {
+                const glm::dvec3 d = camera->towards(p);
+                sample[3] = 1.0 - std::pow(1.0 - sample[3], glm::length(d) / glm::length(gauge * d));
+            });
+    }
+
+    RequestOfScene own;
+    Scene truth;
+};
+
 TEST(RayCast, opacityPerLengthFollowsEachRay)
 {
     const Field field = bumps(kVolume);
@@ -266,19 +287,9 @@ TEST(RayCast, opacityPerLengthFollowsEachRay)
         Scene scene = sceneOf(field);
         scene.planes = vo::test::SamplingPlanes::axisAligned;
         if (perspective) scene.view = vo::test::perspectiveView({20, 30}, field.size, kSize, kSize, 60.0);
-        RequestOfScene own(scene, {});
-        const glm::dmat3 gauge(glm::dvec3(0.4, 0.1, 0.0) * 0.5, glm::dvec3(0.0, 0.9, 0.2) * 0.5,
-                               glm::dvec3(0.3, 0.0, 1.7) * 0.5);
-        own.request.opacityGauge = gauge;
-        const auto camera = vo::findCamera(own.request.model, own.request.projection);
-        const Scene truth = restricted(
-            scene, [](const glm::dvec3&) { return true; },
-            [&](const glm::dvec3& p, std::array<double, 4>& sample) {
-                const glm::dvec3 d = camera->towards(p);
-                sample[3] = 1.0 - std::pow(1.0 - sample[3], glm::length(d) / glm::length(gauge * d));
-            });
-        EXPECT_GT(psnrAgainst(truth, own), 65.0) << perspective;
-        EXPECT_LT(psnrAgainst(scene, own), 45.0) << perspective;
+        const Gauged gauged(scene, 0.5);
+        EXPECT_GT(psnrAgainst(gauged.truth, gauged.own), 65.0) << perspective;
+        EXPECT_LT(psnrAgainst(scene, gauged.own), 45.0) << perspective;
     }
 }
 
@@ -291,18 +302,8 @@ TEST(RayCast, opacityPerLengthOfTablesFollowsParallelRays)
             Scene scene = sceneOf(field);
             scene.classification = vo::test::Classification::postInterpolation;
             scene.table = colourTable(entries, 0.6);
-            RequestOfScene own(scene, {});
-            const glm::dmat3 gauge(glm::dvec3(0.4, 0.1, 0.0) * size, glm::dvec3(0.0, 0.9, 0.2) * size,
-                                   glm::dvec3(0.3, 0.0, 1.7) * size);
-            own.request.opacityGauge = gauge;
-            const auto camera = vo::findCamera(own.request.model, own.request.projection);
-            const Scene truth = restricted(
-                scene, [](const glm::dvec3&) { return true; },
-                [&](const glm::dvec3& p, std::array<double, 4>& sample) {
-                    const glm::dvec3 d = camera->towards(p);
-                    sample[3] = 1.0 - std::pow(1.0 - sample[3], glm::length(d) / glm::length(gauge * d));
-                });
-            EXPECT_GT(psnrAgainst(truth, own), 75.0) << entries << " " << size;
+            const Gauged gauged(scene, size);
+            EXPECT_GT(psnrAgainst(gauged.truth, gauged.own), 75.0) << entries << " " << size;
         }
 }
 

@@ -28,13 +28,9 @@ class CachedDemos : public testing::Test
 protected:
     Picture draw(const std::string& program, const std::string& words)
     {
-        const ProgramRun run = folder.run(program, words + " -output picture.png");
-        EXPECT_EQ(run.status, 0) << program << ' ' << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << program << ' ' << words;
-        printed = run.output;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        return picture ? *picture : Picture{};
+        const auto drawn = vo::drawnPicture(folder, program, words);
+        printed = drawn.printed;
+        return drawn.picture;
     }
 
     void expectOneLine(const std::string& program, const std::string& words, const std::string& named)

@@ -189,15 +189,9 @@ protected:
 
     std::vector<float> draw(const std::string& program, const std::string& words)
     {
-        const vo::ProgramRun run =
-            folder.run(program, "soft.tif -lutFile smooth.lut -size 112 96 -view -20 35 "
-                                "-output picture.png " +
-                                    words);
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << words;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        return picture ? vo::pixelsOf(*picture) : std::vector<float>(kWidth * kHeight * 4);
+        return vo::drawnPicture(folder, program,
+                                "soft.tif -lutFile smooth.lut -size 112 96 -view -20 35 " + words)
+            .pixels();
     }
 
     Scene scene(const dvec3& scale = dvec3(1), double degrees = 0) const
@@ -360,14 +354,9 @@ TEST_F(Deform, fansTakeAnyAxes)
     // The same volume with its axes exchanged: x is the depth, z the beams.
     vo::writeBytes(folder / "turned.tif", kSize.y, kSize.z, kSize.x,
                    [this](int x, int y, int z) { return int(std::lround(255 * double(field.at(z, x, y)))); });
-    const std::string words =
-        "-lutFile smooth.lut -size 96 96 -radius 10 40 -sampling 0.5 -output picture.png ";
+    const std::string words = "-lutFile smooth.lut -size 96 96 -radius 10 40 -sampling 0.5 ";
     const auto drawn = [&](const std::string& more) {
-        const auto run = folder.run("voglFan", words + more);
-        EXPECT_EQ(run.status, 0) << run.errors;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture);
-        return picture ? vo::pixelsOf(*picture) : std::vector<float>(96 * 96 * 4);
+        return vo::drawnPicture(folder, "voglFan", words + more).pixels();
     };
     // One with the beams to the right and the depth down, the other with the depth to the right and the beams
     // up.

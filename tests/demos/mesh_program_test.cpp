@@ -24,7 +24,7 @@ using Rgba = std::array<double, 4>;
 
 constexpr int kWidth = 72, kHeight = 64;
 constexpr double kLatitude = -20, kLongitude = 35;
-const std::string kSize = " -size 72 64 -view -20 35 -output picture.png ";
+const std::string kSize = " -size 72 64 -view -20 35";
 
 /// A mesh as it is drawn: its lowest corner at the origin, its longest side 128.
 class Drawn
@@ -88,12 +88,7 @@ protected:
 
     std::vector<float> draw(const std::string& words, const std::string& said = "")
     {
-        const vo::ProgramRun run = folder.run("voglMesh", words + kSize);
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, said) << words;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        return picture ? vo::pixelsOf(*picture) : std::vector<float>{};
+        return vo::drawnPicture(folder, "voglMesh", words + kSize, said).pixels();
     }
 
     static void expectEqual(const std::vector<float>& drawn, const Picture& truth, const std::string& what,

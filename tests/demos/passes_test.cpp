@@ -164,20 +164,9 @@ protected:
     /// What a program draws, as floats from the bottom.
     std::vector<float> draw(const std::string& program, const std::string& words)
     {
-        const vo::ProgramRun run = folder.run(program, words + " -size 96 80 -output picture.png");
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << words;
-        output = run.output;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        std::vector<float> pixels;
-        for (int y = kHeight - 1; picture && y >= 0; --y)
-            for (int x = 0; x < kWidth; ++x) {
-                for (int c = 0; c < 3; ++c)
-                    pixels.push_back(float(vo::channel(*picture, x, y, c)) / 255);
-                pixels.push_back(1);
-            }
-        return pixels;
+        const auto drawn = vo::drawnPicture(folder, program, words + " -size 96 80");
+        output = drawn.printed;
+        return drawn.pixels();
     }
 
     /// In contexts of both profiles.

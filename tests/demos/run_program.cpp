@@ -116,6 +116,17 @@ std::vector<float> writeSmoothTable(const std::filesystem::path& path,
     return table;
 }
 
+DrawnPicture drawnPicture(const ScratchFolder& folder, const std::string& program, const std::string& words,
+                          const std::string& said)
+{
+    const ProgramRun run = folder.run(program, words + " -output picture.png");
+    EXPECT_EQ(run.status, 0) << program << ' ' << words << ": " << run.errors;
+    EXPECT_EQ(run.errors, said) << program << ' ' << words;
+    const auto picture = readPng(folder / "picture.png");
+    EXPECT_TRUE(picture) << program << ' ' << words;
+    return {picture ? *picture : Picture{}, run.output};
+}
+
 void expectOneLine(const ScratchFolder& folder, const std::string& program, const std::string& words,
                    const std::string& named)
 {

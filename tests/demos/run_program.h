@@ -59,6 +59,21 @@ void writeChannels(const std::filesystem::path& path, int xSize, int ySize, int 
 std::vector<float> writeSmoothTable(const std::filesystem::path& path,
                                     const std::function<double(double)>& opacity);
 
+/// Four floats a pixel, rows from the bottom, as OpenGL delivers them.
+std::vector<float> pixelsOf(const Picture& picture);
+
+/// What a run draws that must succeed; an empty picture where it leaves none.
+struct DrawnPicture
+{
+    Picture picture;
+    std::string printed; ///< on stdout
+
+    std::vector<float> pixels() const { return pixelsOf(picture); }
+};
+/// -output is added to the words. `said`: what the run must say on stderr.
+DrawnPicture drawnPicture(const ScratchFolder& folder, const std::string& program, const std::string& words,
+                          const std::string& said = "");
+
 /// A run that must fail with one line that holds `named`, and leave no picture.
 void expectOneLine(const ScratchFolder& folder, const std::string& program, const std::string& words,
                    const std::string& named);
@@ -67,9 +82,6 @@ std::string readFile(const std::filesystem::path& path);
 
 /// Red, green or blue of a pixel, y from the top.
 int channel(const Picture& picture, int x, int y, int which);
-
-/// Four floats a pixel, rows from the bottom, as OpenGL delivers them.
-std::vector<float> pixelsOf(const Picture& picture);
 
 /// The largest difference of a channel, and how many pixels differ by more than 1.
 struct PictureDifference

@@ -75,19 +75,14 @@ protected:
     /// What a program writes, as floats from the bottom.
     std::vector<float> draw(const std::string& program, const std::string& words)
     {
-        const vo::ProgramRun run = folder.run(program, kCommon + words + " -output picture.png");
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << words;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
+        const vo::Picture picture = vo::drawnPicture(folder, program, kCommon + words).picture;
         std::vector<float> pixels;
-        if (!picture) return pixels;
-        const int channels = int(picture->bytes.size()) / (kWidth * kHeight);
-        for (int y = kHeight - 1; y >= 0; --y)
+        const int channels = int(picture.bytes.size()) / (kWidth * kHeight);
+        for (int y = picture.height - 1; y >= 0; --y)
             for (int x = 0; x < kWidth; ++x)
                 for (int c = 0; c < 4; ++c) {
                     const auto at = std::size_t((y * kWidth + x) * channels + std::min(c, channels - 1));
-                    pixels.push_back(float(picture->bytes[at]) / 255);
+                    pixels.push_back(float(picture.bytes[at]) / 255);
                 }
         return pixels;
     }

@@ -101,13 +101,7 @@ protected:
 
     std::vector<float> draw(const std::string& program, const std::string& words)
     {
-        const vo::ProgramRun run =
-            folder.run(program, words + " -size 72 64 -view -20 35 -output picture.png");
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << words;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        return picture ? vo::pixelsOf(*picture) : std::vector<float>{};
+        return vo::drawnPicture(folder, program, words + " -size 72 64 -view -20 35").pixels();
     }
 
     void expectOneLine(const std::string& program, const std::string& words, const std::string& named)

@@ -17,12 +17,7 @@ protected:
     /// Draws with voglBasic and the words; the picture must come.
     Picture draw(const std::string& words, const std::string& program = "voglBasic")
     {
-        const ProgramRun run = folder.run(program, words + " -output picture.png");
-        EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
-        EXPECT_EQ(run.errors, "") << words;
-        const auto picture = vo::readPng(folder / "picture.png");
-        EXPECT_TRUE(picture) << words;
-        return picture ? *picture : Picture{};
+        return vo::drawnPicture(folder, program, words).picture;
     }
 
     /// A volume of 24 x 20 x 16 voxels, soft, different along each axis.
