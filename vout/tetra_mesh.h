@@ -4,11 +4,15 @@
 
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace vo {
+
+/// Vertex numbers.
+using Tetra = std::array<int, 4>;
 
 /// Tetrahedra, four vertex numbers each, on records of `values` floats whose last three are the position.
 struct TetraMesh
@@ -41,6 +45,18 @@ struct TetraMesh
         return number;
     }
 };
+
+/// As that of four points (geometry/cell_space.h).
+double sixfoldVolume(const TetraMesh& mesh, const Tetra& tetra);
+
+/// A copy of a set. Throws CallerError for indices that are wrong, and records without a position.
+TetraMesh meshOf(const voIndexedTetraSet& set);
+
+/// The tetrahedra that have a volume and finite corners, all turned to positive volumes.
+std::vector<Tetra> soundTetras(const TetraMesh& mesh);
+
+/// Some tetrahedra of a mesh, and the vertices that they use in their order.
+TetraMesh compacted(const TetraMesh& mesh, const std::vector<Tetra>& tetras);
 
 /// The mesh as a set of its own. Throws std::bad_alloc.
 std::unique_ptr<voIndexedTetraSet> tetraSet(const TetraMesh& mesh);
