@@ -10,8 +10,7 @@
 
 namespace vo {
 
-/// A tetrahedron that boxes may cut. Its corners go by position, then by the rest of their records, from the
-/// least; no value is -0.
+/// A tetrahedron that boxes may cut. Its corners go by position, from the least; no value is -0.
 template <int kValues>
 struct TetraInBoxes
 {

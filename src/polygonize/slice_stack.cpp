@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "polygonize/box_cutter.h"
 #include "polygonize/box_lattice.h"
+#include "polygonize/look_at_tetras.h"
 #include "polygonize/slice_cutter.h"
 #include "polygonize/slice_tetra.h"
 #include "polygonize/write_slices.h"
@@ -28,26 +29,24 @@ constexpr std::size_t kVerticesInPart = 8192;
 /// Counters of all parts together.
 constexpr std::size_t kMostCounters = std::size_t{1} << 23;
 
-/// What is known of a tetrahedron after it was looked at.
-struct Item
-{
-    std::uint32_t tetra;
-    std::int32_t box;                  ///< that holds all of it; -1: the polygons are those kept aside
-    std::array<std::uint8_t, 4> order; ///< of its corners, as TetraToSlice has them
-    bool mirrored;                     ///< in this order
-    std::array<std::int32_t, 4> firstInFront;
-    std::uint32_t firstAside; ///< of the part's polygons kept aside
-    std::uint32_t asideCount;
-};
+/// Of each axis: what intervalAt() says of a vertex.
+using Intervals = std::array<std::int32_t, 3>;
 
-/// What is known of a vertex: the planes, and the interval of boxes on each axis or what intervalAt() says.
-struct VertexPlace
+glm::dvec3 positionOf(const PlacedVertex& vertex)
 {
-    PlacedVertex at;
-    std::int32_t firstInFront;
-    std::array<std::int32_t, 3> interval;
+    return {vertex.position[0], vertex.position[1], vertex.position[2]};
+}
 
-    glm::dvec3 position() const { return {at.position[0], at.position[1], at.position[2]}; }
+/// A plane for each of four corners.
+using Planes = std::array<std::int32_t, 4>;
+
+/// A tetrahedron's corners, in order.
+struct Corners
+{
+    std::array<std::int32_t, 4> vertices;
+    std::array<const PlacedVertex*, 4> places;
+    Planes firstInFront;
+    bool mirrored; ///< in this order
 };
 
 struct AsidePolygon
@@ -88,7 +87,7 @@ private:
 struct Part
 {
     std::size_t firstTetra = 0, endTetra = 0;
-    KeptArray<Item> items;
+    KeptArray<SlicedTetra> items;
     Aside aside{3};
     /// One a box and plane, in the end of what comes next: first by how much it has more than the plane
     /// before, then how much it has, then the place of the next polygon. One plane more than there are.
@@ -110,8 +109,9 @@ struct Job
     const SamplingRequest* own = nullptr;  ///< each tetrahedron has its own planes
     const SamplingAxis* ownAxis = nullptr; ///< of these
     std::size_t samples = 0;
-    PolygonStack* stack = nullptr;       ///< where they are written
-    const VertexPlace* places = nullptr; ///< of all vertices
+    PolygonStack* stack = nullptr;        ///< where they are written
+    const PlacedVertex* places = nullptr; ///< all vertices
+    const Intervals* intervals = nullptr; ///< of all vertices
 
     std::size_t bins() const { return boxes.size() * samples; }
     std::size_t bin(int box, int sample) const
@@ -124,9 +124,22 @@ struct Job
     {
         return own ? primitivePlanes(tetras, static_cast<int>(tetra), *ownAxis, *own) : planes;
     }
-    const float* corner(std::size_t tetra, std::size_t i) const
+    /// The first plane in front of each corner.
+    void findPlanes(std::size_t tetra, const std::array<const PlacedVertex*, 4>& corners,
+                    Planes& firstInFront) const
     {
-        return tetras.record(tetras.indices[4 * tetra + i]);
+        for (std::size_t i = 0; i < 4; ++i)
+            firstInFront[i] = corners[i]->firstInFront;
+        if (!own) return;
+        const PlaneFamily of = planesOf(tetra);
+        for (std::size_t i = 0; i < 4; ++i)
+            firstInFront[i] = firstPlaneInFront(of, nearest, corners[i]->offset);
+    }
+    /// That of all these vertices, or BoxLattice::kNearFace.
+    std::int32_t commonInterval(const std::array<std::int32_t, 4>& vertices, std::size_t axis) const
+    {
+        const auto at = [&](std::size_t i) { return intervals[static_cast<std::size_t>(vertices[i])][axis]; };
+        return (at(0) == at(1)) & (at(0) == at(2)) & (at(0) == at(3)) ? at(0) : BoxLattice::kNearFace;
     }
 };
 
@@ -144,108 +157,63 @@ public:
         part_.aside.clear(job_.tetras.valuesPerVertex);
         const std::size_t stride = job_.stride(), bins = job_.bins();
         part_.counts.assign(bins + stride, 0);
-        for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; ++tetra)
-            lookAt(tetra);
+        for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; tetra += TetraLooks::kMost)
+            lookAtSome(tetra, std::min(TetraLooks::kMost, part_.endTetra - tetra));
         StackCount* const counts = part_.counts.data();
         for (std::size_t bin = stride; bin < bins; ++bin)
             counts[bin] += counts[bin - stride];
     }
 
 private:
-    void lookAt(std::size_t tetra)
+    void lookAtSome(std::size_t first, std::size_t count)
     {
-        Item item{static_cast<std::uint32_t>(tetra), -1, {}, false, {}, 0, 0};
-        std::array<const VertexPlace*, 4> places;
-        for (std::size_t i = 0; i < 4; ++i)
-            places[i] = job_.places + job_.tetras.indices[4 * tetra + i];
-        const std::array<glm::dvec3, 4> p{places[0]->position(), places[1]->position(), places[2]->position(),
-                                          places[3]->position()};
-        const bool odd = orderCorners(tetra, places, item);
-        for (std::size_t i = 0; i < 4; ++i)
-            item.firstInFront[i] = places[i]->firstInFront;
-        if (job_.own) findOwnPlanes(tetra, places, item);
-        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
-        if (begin == end || !findBox(places, item)) return;
-        const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0]));
-        if (!(std::abs(volume) > 0.0) || !std::isfinite(volume)) return;
-        item.mirrored = (volume < 0.0) != odd;
-        if (item.box >= 0)
-            count(item);
-        else
-            cutAside(tetra, places, item);
-        *part_.items.grow(1) = item;
-    }
-
-    /// Sorts the corners. True: an odd number of them changed places.
-    bool orderCorners(std::size_t tetra, std::array<const VertexPlace*, 4>& places, Item& item) const
-    {
-        std::array<unsigned, 4> rank{};
-        unsigned odd = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = i + 1; j < 4; ++j) {
-                const unsigned swapped = comesBefore(tetra, j, i, places) ? 1 : 0;
-                rank[i] += swapped;
-                rank[j] += 1 - swapped;
-                odd ^= swapped;
+        const std::span<const int> vertices = job_.tetras.indices.subspan(4 * first, 4 * count);
+        lookAtTetras(job_.places, vertices, looks_);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (looks_.solid[i] == 0) continue;
+            Corners corners{{}, {}, {}, looks_.mirrored[i] != 0};
+            SlicedTetra item{static_cast<std::uint32_t>(first + i), looks_.box[i], 0,
+                             static_cast<std::uint8_t>(looks_.order[i]), corners.mirrored};
+            Planes changes{looks_.changes[0][i], looks_.changes[1][i], looks_.changes[2][i],
+                           looks_.changes[3][i]};
+            if (item.box < 0 || job_.own) findCorners(item, corners);
+            if (job_.own) {
+                changes = corners.firstInFront;
+                std::ranges::sort(changes);
             }
-        const std::array<const VertexPlace*, 4> given = places;
+            if (changes[0] == changes[3]) continue;
+            if (item.box >= 0)
+                addTo(item.box, changes);
+            else if (reachesBoxes(corners))
+                cutAside(item.tetra, corners);
+            item.endAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+            *part_.items.grow(1) = item;
+        }
+    }
+
+    void findCorners(const SlicedTetra& item, Corners& corners) const
+    {
         for (std::size_t i = 0; i < 4; ++i) {
-            places[rank[i]] = given[i];
-            item.order[rank[i]] = static_cast<std::uint8_t>(i);
+            corners.vertices[i] = job_.tetras.indices[std::size_t{4} * item.tetra + cornerAt(item.order, i)];
+            corners.places[i] = job_.places + corners.vertices[i];
         }
-        return odd != 0;
+        job_.findPlanes(item.tetra, corners.places, corners.firstInFront);
     }
 
-    bool comesBefore(std::size_t tetra, std::size_t a, std::size_t b,
-                     const std::array<const VertexPlace*, 4>& places) const
-    {
-        const auto &p = places[a]->at.position, &q = places[b]->at.position;
-        const bool sameX = p[0] == q[0], sameY = p[1] == q[1];
-        if (sameX & sameY & (p[2] == q[2])) [[unlikely]] {
-            const std::ptrdiff_t rest = job_.tetras.valuesPerVertex - 3;
-            const float *r = job_.corner(tetra, a), *s = job_.corner(tetra, b);
-            return std::lexicographical_compare(r, r + rest, s, s + rest);
-        }
-        return (p[0] < q[0]) | (sameX & ((p[1] < q[1]) | (sameY & (p[2] < q[2]))));
-    }
-
-    void findOwnPlanes(std::size_t tetra, const std::array<const VertexPlace*, 4>& places, Item& item) const
-    {
-        const PlaneFamily planes = job_.planesOf(tetra);
-        for (std::size_t i = 0; i < 4; ++i)
-            item.firstInFront[i] = firstPlaneInFront(planes, job_.nearest, places[i]->at.offset);
-    }
-
-    /// False: the tetrahedron is outside of all boxes.
-    bool findBox(const std::array<const VertexPlace*, 4>& places, Item& item)
+    bool reachesBoxes(const Corners& corners) const
     {
         BoxLattice::Cell cell{};
-        bool inside = true;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int32_t interval = places[0]->interval[axis];
-            const bool same = (places[1]->interval[axis] == interval) &
-                              (places[2]->interval[axis] == interval) &
-                              (places[3]->interval[axis] == interval);
-            if (same && (interval == BoxLattice::kBelow || interval == BoxLattice::kAbove)) return false;
-            inside = inside && same && interval >= 0;
-            cell[axis] = interval;
+            cell[axis] = job_.commonInterval(corners.vertices, axis);
+            if (cell[axis] == BoxLattice::kBelow || cell[axis] == BoxLattice::kAbove) return false;
         }
-        if (!inside) return true;
-        if (cell != cell_) {
-            const auto boxes = lattice_.boxes(cell);
-            cell_ = cell;
-            boxesInCell_ = boxes.size();
-            box_ = boxes.empty() ? -1 : boxes.front().box;
-        }
-        if (boxesInCell_ == 1) item.box = box_;
-        return boxesInCell_ > 0;
+        const bool inside = std::ranges::all_of(cell, [](int interval) { return interval >= 0; });
+        return !inside || !lattice_.boxes(cell).empty();
     }
 
-    void count(const Item& item)
+    void addTo(int box, const Planes& changes)
     {
-        std::array<std::int32_t, 4> changes = item.firstInFront;
-        std::ranges::sort(changes);
-        StackCount* const counts = part_.counts.data() + job_.bin(item.box, 0);
+        StackCount* const counts = part_.counts.data() + job_.bin(box, 0);
         const auto change = [&](std::size_t i) -> StackCount& {
             return counts[static_cast<std::size_t>(changes[i]) * job_.stride()];
         };
@@ -255,21 +223,19 @@ private:
         change(3) -= countOfPolygon(3);
     }
 
-    void cutAside(std::size_t tetra, const std::array<const VertexPlace*, 4>& places, Item& item)
+    void cutAside(std::size_t tetra, const Corners& corners)
     {
-        item.firstAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+        const std::size_t first = part_.aside.polygons.size();
         const PlaneFamily planes = job_.planesOf(tetra);
         switch (job_.tetras.valuesPerVertex) {
-        case 3: cutWith<3>(tetra, places, planes, item); break;
-        case 6: cutWith<6>(tetra, places, planes, item); break;
-        case 7: cutWith<7>(tetra, places, planes, item); break;
-        case 9: cutWith<9>(tetra, places, planes, item); break;
-        case 10: cutWith<10>(tetra, places, planes, item); break;
-        default: cutRecords(tetra, planes, item); break;
+        case 3: cutWith<3>(corners, planes); break;
+        case 6: cutWith<6>(corners, planes); break;
+        case 7: cutWith<7>(corners, planes); break;
+        case 9: cutWith<9>(corners, planes); break;
+        case 10: cutWith<10>(corners, planes); break;
+        default: cutRecords(corners, planes); break;
         }
-        item.asideCount = static_cast<std::uint32_t>(part_.aside.polygons.size()) - item.firstAside;
-        for (const AsidePolygon& polygon :
-             std::span(part_.aside.polygons).subspan(item.firstAside, item.asideCount)) {
+        for (const AsidePolygon& polygon : std::span(part_.aside.polygons).subspan(first)) {
             StackCount* const count = part_.counts.data() + job_.bin(polygon.box, polygon.sample);
             count[0] += countOfPolygon(polygon.records);
             count[job_.stride()] -= countOfPolygon(polygon.records);
@@ -277,45 +243,40 @@ private:
     }
 
     template <int kValues>
-    void cutWith(std::size_t number, const std::array<const VertexPlace*, 4>& places,
-                 const PlaneFamily& planes, const Item& item)
+    void cutWith(const Corners& corners, const PlaneFamily& planes)
     {
         const int column = job_.tetras.voxelColumn;
         TetraInBoxes<kValues> tetra{{},
                                     static_cast<std::size_t>(column < 0 ? kValues - 3 : column),
                                     {},
-                                    item.firstInFront,
-                                    item.mirrored,
+                                    corners.firstInFront,
+                                    corners.mirrored,
                                     {}};
         for (std::size_t i = 0; i < 4; ++i) {
-            const float* source = job_.corner(number, item.order[i]);
+            const float* source = job_.tetras.record(corners.vertices[i]);
             for (std::size_t value = 0; value < kValues; ++value)
                 tetra.corners[i][value] = static_cast<double>(source[value]) + 0.0; // -0 and 0 are one place
-            tetra.offsets[i] = places[i]->at.offset;
+            tetra.offsets[i] = corners.places[i]->offset;
         }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int32_t interval = places[0]->interval[axis];
-            const bool same = std::ranges::all_of(
-                places, [&](const VertexPlace* place) { return place->interval[axis] == interval; });
-            tetra.interval[axis] = same ? interval : BoxLattice::kNearFace;
-        }
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            tetra.interval[axis] = job_.commonInterval(corners.vertices, axis);
         SliceCutter<kValues>(lattice_).cut(tetra, planes, part_.aside);
     }
 
     /// Slices it plane by plane and lets the boxes cut the slices.
-    void cutRecords(std::size_t tetra, const PlaneFamily& planes, Item& item)
+    void cutRecords(Corners corners, const PlaneFamily& planes)
     {
         const int values = job_.tetras.valuesPerVertex;
         const auto size = static_cast<std::size_t>(values);
         if (part_.corners.size() < 4 * size) part_.corners.resize(4 * size);
         std::array<const double*, 4> records;
         std::array<double, 4> offsets;
-        if (item.mirrored) {
-            std::swap(item.order[0], item.order[1]);
-            std::swap(item.firstInFront[0], item.firstInFront[1]);
+        if (corners.mirrored) {
+            std::swap(corners.vertices[0], corners.vertices[1]);
+            std::swap(corners.firstInFront[0], corners.firstInFront[1]);
         }
         for (std::size_t i = 0; i < 4; ++i) {
-            const float* source = job_.corner(tetra, item.order[i]);
+            const float* source = job_.tetras.record(corners.vertices[i]);
             double* record = part_.corners.data() + i * size;
             for (std::size_t value = 0; value < size; ++value)
                 record[value] = static_cast<double>(source[value]) + 0.0; // -0 and 0 are one place
@@ -323,13 +284,13 @@ private:
             offsets[i] =
                 glm::dot(planes.normal, glm::dvec3(record[size - 3], record[size - 2], record[size - 1]));
         }
-        const auto [begin, end] = std::ranges::minmax(item.firstInFront);
+        const auto [begin, end] = std::ranges::minmax(corners.firstInFront);
         for (int k = begin; k < end; ++k) {
             std::array<double, 4> distances;
             unsigned mask = 0;
             for (unsigned i = 0; i < 4; ++i) {
                 distances[i] = offsets[i] - planes.offset(k);
-                mask |= (item.firstInFront[i] <= k ? 1u : 0u) << i;
+                mask |= (corners.firstInFront[i] <= k ? 1u : 0u) << i;
             }
             sliceTetra(records.data(), distances.data(), mask, values, part_.slice, job_.tetras.voxelColumn);
             part_.cutter.cut(part_.slice, k, part_.aside);
@@ -339,29 +300,31 @@ private:
     const Job& job_;
     const BoxLattice& lattice_;
     Part& part_;
-    BoxLattice::Cell cell_{-1, -1, -1}; ///< the last one asked for
-    std::size_t boxesInCell_ = 0;
-    int box_ = -1;
+    TetraLooks looks_;
 };
 
-void placeVertex(const Job& job, const BoxLattice& lattice, std::size_t vertex, VertexPlace& place)
+void placeVertex(const Job& job, const BoxLattice& lattice, std::size_t vertex, PlacedVertex& place,
+                 Intervals& intervals)
 {
     const float* record = job.tetras.record(static_cast<int>(vertex));
     const float* p = record + job.tetras.valuesPerVertex - 3;
     const float* voxel = job.tetras.voxelColumn >= 0 ? record + job.tetras.voxelColumn : p;
-    place.at.position = {p[0] + 0.0, p[1] + 0.0, p[2] + 0.0};
-    place.at.offset = glm::dot(job.planes.normal, place.position());
-    place.firstInFront = firstPlaneInFront(job.planes, job.nearest, place.at.offset);
+    place.position = {p[0] + 0.0f, p[1] + 0.0f, p[2] + 0.0f};
+    place.offset = glm::dot(job.planes.normal, positionOf(place));
+    place.firstInFront = firstPlaneInFront(job.planes, job.nearest, place.offset);
     for (int axis = 0; axis < 3; ++axis)
-        place.interval[static_cast<std::size_t>(axis)] = lattice.intervalAt(axis, voxel[axis]);
+        intervals[static_cast<std::size_t>(axis)] = lattice.intervalAt(axis, voxel[axis]);
+    place.box = -1;
+    if (std::ranges::any_of(intervals, [](std::int32_t interval) { return interval < 0; })) return;
+    const auto boxes = lattice.boxes(intervals);
+    if (boxes.size() == 1) place.box = boxes.front().box;
 }
 
-void writeAside(const Job& job, Part& part, const Item& item)
+void writeAside(const Job& job, Part& part, std::size_t begin, std::size_t end)
 {
     PolygonStack& stack = *job.stack;
     const auto values = static_cast<std::size_t>(job.tetras.valuesPerVertex);
-    for (const AsidePolygon& polygon :
-         std::span(part.aside.polygons).subspan(item.firstAside, item.asideCount)) {
+    for (const AsidePolygon& polygon : std::span(part.aside.polygons).subspan(begin, end - begin)) {
         const std::size_t bin = job.bin(polygon.box, polygon.sample);
         const StackCount place =
             std::exchange(part.counts[bin], part.counts[bin] + countOfPolygon(polygon.records));
@@ -377,24 +340,43 @@ void writeAside(const Job& job, Part& part, const Item& item)
     }
 }
 
-void writePart(const Job& job, Part& part)
+/// Tetrahedra that a box holds.
+void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
 {
     PolygonStack& stack = *job.stack;
-    for (const Item& item : part.items.all()) {
-        if (item.box < 0) {
-            writeAside(job, part, item);
-            continue;
-        }
-        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, {}, item.firstInFront, item.mirrored};
+    const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data(), job.stride()};
+    if (job.tetras.valuesPerVertex == 3 && !job.own) {
+        const TetraSlices slices{items, job.places, job.tetras.indices.data(), job.bin(1, 0)};
+        writePositions(slices, job.planes, target);
+        return;
+    }
+    for (const SlicedTetra& item : items) {
+        TetraToSlice tetra{{}, job.tetras.valuesPerVertex, {}, {}, item.mirrored};
         for (std::size_t i = 0; i < 4; ++i) {
-            const int vertex = job.tetras.indices[std::size_t{4} * item.tetra + item.order[i]];
+            const int vertex = job.tetras.indices[std::size_t{4} * item.tetra + cornerAt(item.order, i)];
             tetra.corners[i] = job.tetras.record(vertex);
-            tetra.places[i] = &job.places[vertex].at;
+            tetra.places[i] = job.places + vertex;
         }
-        const std::size_t bin = job.bin(item.box, 0);
-        const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data() + bin,
-                                 job.stride()};
-        writeSlices(tetra, job.planesOf(item.tetra), target, part.scratch);
+        job.findPlanes(item.tetra, tetra.places, tetra.firstInFront);
+        SliceTarget ofBox = target;
+        ofBox.next += job.bin(item.box, 0);
+        writeSlices(tetra, job.planesOf(item.tetra), ofBox, part.scratch);
+    }
+}
+
+void writePart(const Job& job, Part& part)
+{
+    std::span<const SlicedTetra> items = part.items.all();
+    std::size_t aside = 0;
+    while (!items.empty()) {
+        const auto cut = std::ranges::find_if(items, [](const SlicedTetra& item) { return item.box < 0; });
+        const auto whole = static_cast<std::size_t>(cut - items.begin());
+        writeTetras(job, part, items.first(whole));
+        items = items.subspan(whole);
+        if (items.empty()) break;
+        writeAside(job, part, aside, items.front().endAside);
+        aside = items.front().endAside;
+        items = items.subspan(1);
     }
 }
 
@@ -415,20 +397,23 @@ struct StackSlicer::Private
     BoxLattice lattice;
     std::vector<std::unique_ptr<Part>> parts;
 
-    KeptArray<VertexPlace> places;
+    KeptArray<PlacedVertex> places;
+    KeptArray<Intervals> intervals;
 
     PolygonizeResult slice(Job& job, int threads, PolygonStack& stack);
 
     void placeVertices(Job& job, int threads)
     {
         places.resize(job.tetras.records.size() / static_cast<std::size_t>(job.tetras.valuesPerVertex));
+        intervals.resize(places.size());
         job.places = places.data();
+        job.intervals = intervals.data();
         const std::size_t vertices = places.size();
         parallelFor((vertices + kVerticesInPart - 1) / kVerticesInPart, threads,
                     [this, &job](std::size_t part) {
                         const std::size_t end = std::min((part + 1) * kVerticesInPart, places.size());
                         for (std::size_t vertex = part * kVerticesInPart; vertex < end; ++vertex)
-                            placeVertex(job, lattice, vertex, places[vertex]);
+                            placeVertex(job, lattice, vertex, places[vertex], intervals[vertex]);
                     });
     }
     std::span<const std::unique_ptr<Part>> divide(const Job& job)

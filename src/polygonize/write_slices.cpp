@@ -158,8 +158,10 @@ HWY_INLINE void writeAll(const TetraToSlice& tetra, const PlaneFamily& planes, c
 
 #if HWY_MAX_BYTES >= 32
 constexpr hn::FixedTag<double, 4> kFour;
+constexpr hn::FixedTag<double, 2> kTwo;
 constexpr hn::FixedTag<float, 4> kFourFloats;
-constexpr hn::FixedTag<std::uint32_t, 4> kFourNumbers;
+constexpr hn::FixedTag<std::int32_t, 4> kFourInts;
+constexpr hn::FixedTag<std::uint32_t, 8> kEightNumbers;
 using Four = hn::Vec<decltype(kFour)>;
 /// Planes are too many streams for the processor to read ahead of writing.
 constexpr std::size_t kAhead = 32;
@@ -172,12 +174,19 @@ struct FourPlaces
 
 HWY_INLINE FourPlaces placesOf(const TetraToSlice& tetra)
 {
-    const auto row = [&](std::size_t i) { return hn::Load(kFour, tetra.places[i]->position.data()); };
-    const Four a = row(0), b = row(1), c = row(2), d = row(3);
-    const Four lower = hn::InterleaveLower(kFour, a, b), upper = hn::InterleaveUpper(kFour, a, b);
-    const Four lowerNext = hn::InterleaveLower(kFour, c, d), upperNext = hn::InterleaveUpper(kFour, c, d);
-    return {hn::ConcatLowerLower(kFour, lowerNext, lower), hn::ConcatLowerLower(kFour, upperNext, upper),
-            hn::ConcatUpperUpper(kFour, lowerNext, lower), hn::ConcatUpperUpper(kFour, upperNext, upper)};
+    const auto row = [&](std::size_t i)
+                         HWY_ATTR { return hn::LoadU(kFourFloats, tetra.places[i]->position.data()); };
+    const auto a = row(0), b = row(1), c = row(2), d = row(3);
+    const auto ab = hn::InterleaveLower(kFourFloats, a, b), cd = hn::InterleaveLower(kFourFloats, c, d);
+    const auto abNext = hn::InterleaveUpper(kFourFloats, a, b),
+               cdNext = hn::InterleaveUpper(kFourFloats, c, d);
+    const auto offset = [&](std::size_t i) HWY_ATTR { return hn::LoadU(kTwo, &tetra.places[i]->offset); };
+    const auto low = hn::InterleaveLower(kTwo, offset(0), offset(1));
+    const auto high = hn::InterleaveLower(kTwo, offset(2), offset(3));
+    return {hn::PromoteTo(kFour, hn::ConcatLowerLower(kFourFloats, cd, ab)),
+            hn::PromoteTo(kFour, hn::ConcatUpperUpper(kFourFloats, cd, ab)),
+            hn::PromoteTo(kFour, hn::ConcatLowerLower(kFourFloats, cdNext, abNext)),
+            hn::Combine(kFour, high, low)};
 }
 
 HWY_INLINE FourPlaces pick(const FourPlaces& corners, const std::array<std::int64_t, 4>& numbers)
@@ -187,91 +196,121 @@ HWY_INLINE FourPlaces pick(const FourPlaces& corners, const std::array<std::int6
             hn::TableLookupLanes(corners.z, from), hn::TableLookupLanes(corners.offset, from)};
 }
 
-/// Writes a polygon's records and its triangles. A triangle's fourth place is not written.
-template <int kVertices>
-HWY_INLINE void writePolygon(const FourPlaces& met, const SliceTarget& target, std::size_t bin)
+/// A polygon's records and triangles, by whether it has four vertices.
+struct PolygonSize
 {
-    const StackCount place = take<kVertices>(target, bin);
+    StackCount count;
+    std::size_t lastRecords; ///< of the last four numbers of four records, those that are its own
+    std::size_t indices;
+};
+constexpr PolygonSize kSizes[2] = {{countOfPolygon(3), 1, 3}, {countOfPolygon(4), 4, 6}};
+
+HWY_INLINE void writePolygon(const FourPlaces& met, bool quad, const SliceTarget& target, std::size_t bin)
+{
+    const PolygonSize& size = kSizes[quad];
+    const StackCount place = target.next[bin];
+    target.next[bin] = place + size.count;
     const std::uint32_t first = recordsOf(place);
     float* record = target.records + std::size_t{3} * first;
     std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(place);
     hwy::Prefetch(record + kAhead);
     hwy::Prefetch(index + kAhead);
-    const auto x = hn::DemoteTo(kFourFloats, met.x), y = hn::DemoteTo(kFourFloats, met.y),
-               z = hn::DemoteTo(kFourFloats, met.z);
-    if constexpr (kVertices == 4) {
-        hn::StoreInterleaved3(x, y, z, kFourFloats, record);
-        alignas(16) constexpr std::uint32_t kFan[4] = {1, 2, 0, 2};
-        hn::StoreU(hn::Add(hn::Set(kFourNumbers, first), hn::Load(kFourNumbers, kFan)), kFourNumbers, index);
-        index[4] = first + 3;
-        index[5] = first;
-    } else {
-        alignas(16) float records[12];
-        hn::StoreInterleaved3(x, y, z, kFourFloats, records);
-        hn::StoreU(hn::Load(kFourFloats, records), kFourFloats, record);
-        hn::StoreU(hn::Load(kFourFloats, records + 4), kFourFloats, record + 4);
-        record[8] = records[8];
-        index[0] = first + 1;
-        index[1] = first + 2;
-        index[2] = first;
-    }
+    alignas(16) float records[12];
+    hn::StoreInterleaved3(hn::DemoteTo(kFourFloats, met.x), hn::DemoteTo(kFourFloats, met.y),
+                          hn::DemoteTo(kFourFloats, met.z), kFourFloats, records);
+    hn::StoreU(hn::Load(kFourFloats, records), kFourFloats, record);
+    hn::StoreU(hn::Load(kFourFloats, records + 4), kFourFloats, record + 4);
+    hn::BlendedStore(hn::Load(kFourFloats, records + 8), hn::FirstN(kFourFloats, size.lastRecords),
+                     kFourFloats, record + 8);
+    alignas(32) constexpr std::uint32_t kFan[8] = {1, 2, 0, 2, 3, 0, 0, 0};
+    hn::BlendedStore(hn::Add(hn::Set(kEightNumbers, first), hn::Load(kEightNumbers, kFan)),
+                     hn::FirstN(kEightNumbers, size.indices), kEightNumbers, index);
 }
 
-/// The polygons of planes that meet the same edges, all vertices of one at a time.
-template <int kVertices>
-HWY_INLINE void writePlanes(const FourPlaces& from, const FourPlaces& to, const PlaneFamily& planes,
-                            int begin, int end, const SliceTarget& target)
+/// Of four edges, where each meets the planes.
+struct FourEdges
 {
-    const Four x = hn::Sub(to.x, from.x), y = hn::Sub(to.y, from.y), z = hn::Sub(to.z, from.z);
-    const Four one = hn::Set(kFour, 1.0);
-    std::size_t bin = static_cast<std::size_t>(begin) * target.stride;
-    for (int k = begin; k < end; ++k, bin += target.stride) {
-        const Four offset = hn::Set(kFour, planes.offset(k));
+    FourPlaces from;
+    Four x, y, z; ///< to the other end
+    FourPlaces to;
+
+    HWY_INLINE FourEdges(const FourPlaces& corners, const EdgeEnds& edges)
+        : from(pick(corners, edges.from)), to(pick(corners, edges.to))
+    {
+        x = hn::Sub(to.x, from.x);
+        y = hn::Sub(to.y, from.y);
+        z = hn::Sub(to.z, from.z);
+    }
+    HWY_INLINE FourPlaces meet(double plane) const
+    {
+        const Four offset = hn::Set(kFour, plane);
         const Four a = hn::Sub(from.offset, offset), b = hn::Sub(to.offset, offset);
         const Four s = hn::Div(a, hn::Sub(a, b));
-        const auto atEnd = hn::Eq(s, one);
+        const auto atEnd = hn::Eq(s, hn::Set(kFour, 1.0));
         const auto met = [&](Four p, Four q, Four edge)
                              HWY_ATTR { return hn::IfThenElse(atEnd, q, hn::Add(p, hn::Mul(s, edge))); };
-        const FourPlaces vertices{met(from.x, to.x, x), met(from.y, to.y, y), met(from.z, to.z, z), s};
-        writePolygon<kVertices>(vertices, target, bin);
+        return {met(from.x, to.x, x), met(from.y, to.y, y), met(from.z, to.z, z), s};
     }
+};
+
+/// Below so many planes, looking for those that meet the same edges costs more than it spares.
+constexpr int kFewPlanes = 12;
+
+HWY_INLINE int nextChange(const std::array<int, 4>& firstInFront, int plane, int end)
+{
+    for (const int change : firstInFront)
+        end = change > plane ? std::min(end, change) : end;
+    return end;
 }
 
 /// writeAll for records that are positions.
-HWY_INLINE void writePositions(const TetraToSlice& tetra, const PlaneFamily& planes,
-                               const SliceTarget& target)
+HWY_INLINE void writePositionsOf(const TetraToSlice& tetra, const PlaneFamily& planes,
+                                 const SliceTarget& target)
 {
-    const std::array<int, 4>& first = tetra.firstInFront;
-    std::array<int, 4> changes = first;
-    sortFour(changes);
     const FourPlaces corners = placesOf(tetra);
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (changes[i] >= changes[i + 1]) continue;
-        unsigned mask = 0;
-        for (unsigned corner = 0; corner < 4; ++corner)
-            mask |= (first[corner] <= changes[i] ? 1u : 0u) << corner;
-        const EdgeEnds& edges = kEdgeEnds[tetra.mirrored][mask];
-        const FourPlaces from = pick(corners, edges.from), to = pick(corners, edges.to);
-        if (i == 1)
-            writePlanes<4>(from, to, planes, changes[i], changes[i + 1], target);
-        else
-            writePlanes<3>(from, to, planes, changes[i], changes[i + 1], target);
+    const auto first = hn::LoadU(kFourInts, tetra.firstInFront.data());
+    const int begin = hn::GetLane(hn::MinOfLanes(kFourInts, first));
+    const int end = hn::GetLane(hn::MaxOfLanes(kFourInts, first));
+    const bool few = end - begin < kFewPlanes;
+    for (int k = begin; k < end;) {
+        std::uint8_t mask[8];
+        hn::StoreMaskBits(kFourInts, hn::Lt(first, hn::Set(kFourInts, k + 1)), mask);
+        const FourEdges edges(corners, kEdgeEnds[tetra.mirrored][mask[0]]);
+        const bool quad = kTetraSections[mask[0]].count == 4;
+        const int stop = few ? k + 1 : nextChange(tetra.firstInFront, k, end);
+        do
+            writePolygon(edges.meet(planes.offset(k)), quad, target,
+                         static_cast<std::size_t>(k) * target.stride);
+        while (++k < stop);
     }
 }
 #endif
+
+void writePositionsOfTarget(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
+{
+    for (const SlicedTetra& item : slices.tetras) {
+        TetraToSlice tetra{{}, 3, {}, {}, item.mirrored};
+        for (std::size_t i = 0; i < 4; ++i) {
+            tetra.places[i] =
+                slices.places + slices.vertices[std::size_t{4} * item.tetra + cornerAt(item.order, i)];
+            tetra.firstInFront[i] = tetra.places[i]->firstInFront;
+        }
+        SliceTarget ofBox = target;
+        ofBox.next += static_cast<std::size_t>(item.box) * slices.toNextBox;
+#if HWY_MAX_BYTES >= 32
+        writePositionsOf(tetra, planes, ofBox);
+#else
+        for (std::size_t i = 0; i < 4; ++i)
+            tetra.corners[i] = tetra.places[i]->position.data();
+        float cuts[kEdges * 3 * kRow];
+        writeAll<3>(tetra, planes, ofBox, cuts);
+#endif
+    }
+}
 
 void writeSlicesOfTarget(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                          std::vector<float>& scratch)
 {
-    if (tetra.values == 3) {
-#if HWY_MAX_BYTES >= 32
-        writePositions(tetra, planes, target);
-#else
-        float cuts[kEdges * 3 * kRow];
-        writeAll<3>(tetra, planes, target, cuts);
-#endif
-        return;
-    }
     const std::size_t needed =
         static_cast<std::size_t>(kEdges * kRow) * static_cast<std::size_t>(tetra.values);
     if (scratch.size() < needed) scratch.resize(needed);
@@ -286,11 +325,17 @@ HWY_AFTER_NAMESPACE();
 namespace vo {
 
 HWY_EXPORT(writeSlicesOfTarget);
+HWY_EXPORT(writePositionsOfTarget);
 
 void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                  std::vector<float>& scratch)
 {
     HWY_DYNAMIC_DISPATCH(writeSlicesOfTarget)(tetra, planes, target, scratch);
+}
+
+void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
+{
+    HWY_DYNAMIC_DISPATCH(writePositionsOfTarget)(slices, planes, target);
 }
 
 } // namespace vo

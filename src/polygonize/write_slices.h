@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vo {
@@ -12,12 +13,14 @@ namespace vo {
 /// A vertex as it is cut.
 struct alignas(32) PlacedVertex
 {
-    std::array<double, 3> position; ///< its last three values; none is -0
-    double offset;                  ///< along the planes' normal
+    std::array<float, 3> position; ///< its last three values; none is -0
+    std::int32_t firstInFront;     ///< the first plane that has it in front
+    double offset;                 ///< along the planes' normal
+    std::int32_t box;              ///< the only one that holds it, far from all faces; -1: there is none such
 };
 
-/// A tetrahedron to be sliced by planes that nothing else cuts. Its corners go by position, then by the rest
-/// of their records, from the least: every edge is cut from its earlier corner.
+/// A tetrahedron to be sliced by planes that nothing else cuts. Its corners go by position from the least:
+/// every edge is cut from its earlier corner.
 struct TetraToSlice
 {
     std::array<const float*, 4> corners; ///< their records
@@ -26,6 +29,21 @@ struct TetraToSlice
     std::array<int, 4> firstInFront; ///< the first plane that has the corner in front
     bool mirrored;                   ///< the corners are negatively oriented
 };
+
+/// A tetrahedron that planes meet.
+struct SlicedTetra
+{
+    std::uint32_t tetra;
+    std::int32_t box;       ///< the only one that holds it, far from all faces; -1: boxes cut it
+    std::uint32_t endAside; ///< how many polygons boxes have made of it and those before it
+    std::uint8_t order;     ///< of its corners, as TetraToSlice has them: two bits each
+    bool mirrored;          ///< in this order they are negatively oriented
+};
+/// The corner that comes `i`-th.
+constexpr std::size_t cornerAt(std::uint8_t order, std::size_t i)
+{
+    return order >> 2 * i & 3;
+}
 
 /// How many records and triangles, or the numbers of the next ones, in one word to be counted at once: the
 /// lower half is the records. Differences are good even where a half of one is negative.
@@ -61,5 +79,17 @@ struct SliceTarget
 /// `scratch` keeps its memory from call to call.
 void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                  std::vector<float>& scratch);
+
+/// Tetrahedra of bare positions that boxes hold.
+struct TetraSlices
+{
+    std::span<const SlicedTetra> tetras;
+    const PlacedVertex* places;
+    const int* vertices;   ///< four of each tetrahedron
+    std::size_t toNextBox; ///< counters
+};
+
+/// The same for many; target.next belongs to the first box.
+void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target);
 
 } // namespace vo
