@@ -95,18 +95,21 @@ private:
 class PackedShade : public TablePlace
 {
 public:
-    PackedShade(const ShadingPlan& plan, float rawUnit) : TablePlace(plan, rawUnit)
+    PackedShade(const ShadingPlan& plan, float rawUnit)
+        : TablePlace(plan, rawUnit), redAlpha_(plan.redAlpha.data()), greenBlue_(plan.greenBlue.data())
     {
         for (std::size_t c = 0; c < 4; ++c) {
-            packed_[c] = reinterpret_cast<const std::int32_t*>(plan.packed[c].data());
             entryScale_[c] = plan.entryScale[c];
             differenceScale_[c] = plan.differenceScale[c];
         }
     }
 
-    HWY_INLINE Floats component(const Key& key, std::size_t c) const
+    HWY_INLINE IntPairs redAlpha(const Key& key) const { return gatherPairs(redAlpha_, key.entry); }
+    HWY_INLINE IntPairs greenBlue(const Key& key) const { return gatherPairs(greenBlue_, key.entry); }
+
+    /// Of its number of the pairs.
+    HWY_INLINE Floats component(const Key& key, Ints packed, std::size_t c) const
     {
-        const Ints packed = gather(packed_[c], key.entry);
         const Ints upper = hn::BitCast(kInts, hn::ShiftRight<16>(hn::BitCast(kUints, packed)));
         const Floats entry = hn::ConvertTo(kFloats, upper) * hn::Set(kFloats, entryScale_[c]);
         const Floats difference = hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(packed)));
@@ -114,7 +117,7 @@ public:
     }
 
 private:
-    const std::int32_t* packed_[4];
+    const ShadingPlan::PackedPair *redAlpha_, *greenBlue_;
     float entryScale_[4], differenceScale_[4];
 };
 

@@ -27,9 +27,12 @@ void setTable(const Table& table, const std::array<float, 4>& factor, ShadingPla
     }
 }
 
-/// Packs nothing where that would lose too much.
+/// Packs nothing where that would lose too much: of the opacities each a part of itself, since small ones add
+/// up.
 void packEntries(ShadingPlan& plan)
 {
+    plan.redAlpha.clear();
+    plan.greenBlue.clear();
     constexpr float kMostEntry = 65535.0f, kMostDifference = 32767.0f, kLoss = 1.0f / 256.0f;
     std::array<std::vector<std::uint32_t>, 4> packed;
     for (std::size_t c = 0; c < 4; ++c) {
@@ -45,13 +48,16 @@ void packEntries(ShadingPlan& plan)
         for (std::size_t i = 0; i < entries.size(); i += 2) {
             const float entry = std::round(entries[i] / plan.entryScale[c]);
             const float difference = std::round(entries[i + 1] / plan.differenceScale[c]);
-            if (std::abs(entry * plan.entryScale[c] - entries[i]) > kLoss * entries[i]) return;
+            if (c == 3 && std::abs(entry * plan.entryScale[c] - entries[i]) > kLoss * entries[i]) return;
             const auto low = static_cast<std::uint16_t>(
                 static_cast<std::int16_t>(std::clamp(difference, -kMostDifference, kMostDifference)));
             packed[c].push_back(static_cast<std::uint32_t>(std::clamp(entry, 0.0f, kMostEntry)) << 16 | low);
         }
     }
-    plan.packed = std::move(packed);
+    for (std::size_t i = 0; i < packed[0].size(); ++i) {
+        plan.redAlpha.push_back({packed[0][i], packed[3][i]});
+        plan.greenBlue.push_back({packed[1][i], packed[2][i]});
+    }
 }
 
 } // namespace
@@ -95,7 +101,6 @@ std::optional<ShadingPlan> withUnits(const ShadingPlan& plan, double units)
         pairs[i] = static_cast<float>(opacity(here));
         pairs[i + 1] = static_cast<float>(opacity(next) - opacity(here));
     }
-    folded.packed = {};
     packEntries(folded);
     return folded;
 }

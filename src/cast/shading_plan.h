@@ -19,9 +19,15 @@ struct ShadingPlan
     int last = 0;      ///< number of the last entry
     /// (entry, next entry - entry) for each entry; the last one's difference is 0.
     std::array<std::vector<float>, 4> entries;
-    /// The same in 32 bits, if that keeps every entry to 1/256 of itself: the entry in the upper 16, the
-    /// difference (signed) in the lower, each times its scale. Half the reads.
-    std::array<std::vector<std::uint32_t>, 4> packed;
+    /// The same in 32 bits a component, if that keeps every alpha to 1/256 of itself: the entry in the upper
+    /// 16, the difference (signed) in the lower, each times its scale. Two components are read at a time:
+    /// red and (next in memory) alpha, green and blue.
+    struct PackedPair
+    {
+        std::uint32_t first = 0, second = 0;
+    };
+    std::vector<PackedPair> redAlpha, greenBlue;
+    bool packed() const { return !redAlpha.empty(); }
     std::array<float, 4> entryScale{}, differenceScale{};
     std::array<float, 4> slope{};
     std::array<float, 4> base{};

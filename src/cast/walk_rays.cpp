@@ -231,6 +231,35 @@ struct Fragments
         if constexpr (Sampler::kChannels == 1) return shade.component(key, c);
         return shade.component(shade.key(sampler.value(at, static_cast<int>(c))), c);
     }
+    HWY_INLINE Floats red() const { return color(0); }
+    HWY_INLINE void greenBlue(Floats& green, Floats& blue) const
+    {
+        green = color(1);
+        blue = color(2);
+    }
+};
+
+/// Two components are read at a time, colours when they are asked for.
+template <class Sampler>
+struct Fragments<Sampler, PackedShade>
+{
+    const PackedShade& shade;
+    PackedShade::Key key;
+    IntPairs redAlpha;
+
+    HWY_INLINE Fragments(const Sampler&, const PackedShade& f, const Place&, Floats answer)
+        : shade(f), key(f.key(answer)), redAlpha(f.redAlpha(key))
+    {
+    }
+
+    HWY_INLINE Floats alpha() const { return shade.component(key, redAlpha.second, 3); }
+    HWY_INLINE Floats red() const { return shade.component(key, redAlpha.first, 0); }
+    HWY_INLINE void greenBlue(Floats& green, Floats& blue) const
+    {
+        const IntPairs both = shade.greenBlue(key);
+        green = shade.component(key, both.first, 1);
+        blue = shade.component(key, both.second, 2);
+    }
 };
 
 /// Front to back, until nothing more is seen. Colours count as much as their alpha says, or as they are.
@@ -253,10 +282,12 @@ public:
         if (perUnit_) alpha = opacityOver(alpha, units_);
         const Floats weight = transmittance_ * alpha;
         const Floats colorWeight = kPremultiplied ? hn::IfThenElseZero(seen, transmittance_) : weight;
-        red_ = hn::MulAdd(colorWeight, source.color(0), red_);
+        red_ = hn::MulAdd(colorWeight, source.red(), red_);
         if (!grey_) {
-            green_ = hn::MulAdd(colorWeight, source.color(1), green_);
-            blue_ = hn::MulAdd(colorWeight, source.color(2), blue_);
+            Floats green, blue;
+            source.greenBlue(green, blue);
+            green_ = hn::MulAdd(colorWeight, green, green_);
+            blue_ = hn::MulAdd(colorWeight, blue, blue_);
         }
         alpha_ = hn::MulAdd(weight, alpha, alpha_);
         transmittance_ = transmittance_ - weight;
@@ -602,7 +633,9 @@ void walkSamples(const RayJob& job, const PixelRectangle& tile)
         if (shading.table) return walkTile<Sampler, TableShade, Others>(job, tile);
         return walkTile<Sampler, LinearShade, Others>(job, tile);
     }
-    if (!shading.packed[0].empty()) return walkTile<Sampler, PackedShade, Over>(job, tile);
+    // Four channels each have a place of their own in the table.
+    if constexpr (Sampler::kChannels == 1)
+        if (shading.packed()) return walkTile<Sampler, PackedShade, Over>(job, tile);
     if (shading.table) return walkTile<Sampler, TableShade, Over>(job, tile);
     return walkTile<Sampler, LinearShade, Over>(job, tile);
 }
