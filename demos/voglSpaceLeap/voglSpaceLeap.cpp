@@ -1,14 +1,16 @@
 // voglSpaceLeap: as voglBasic, but only those parts of the volume are cut into slices that hold anything.
 #include "voglMain.h"
 
-#include "sub_cubes.h"
 #include "voglFrame.h"
 #include "voglLookup.h"
 #include "voglVolume.h"
+#include "voxel_range.h"
 
-#include <algorithm>
+#include <vo/utOccupied.h>
+
 #include <charconv>
 #include <cstring>
+#include <memory>
 
 // Sub-cubes are not joined.
 static bool areSeparate = false;
@@ -22,17 +24,15 @@ const VoglProgram voglProgram = {
     .leastArguments = 3,
     .mostArguments = 3,
     .expected = "the file of one volume and the range of the values to draw, LOW and HIGH",
-    .options =
-        {{"separate",
-          {},
-          "do not join sub-cubes into boxes: more tetrahedra, but neighbours share all vertices, and no\n"
-          "pixel of a seam is drawn twice or left out",
-          [](vo::Arguments&) { areSeparate = true; }}},
+    .options = {{"separate",
+                 {},
+                 "do not join sub-cubes into boxes: more tetrahedra, all of one shape",
+                 [](vo::Arguments&) { areSeparate = true; }}},
     .keys = "Escape        also prints what was saved in the last frame\n",
 };
 
 static VoglVolume volume;
-static SubCubes subCubes;
+static std::unique_ptr<voutOccupied> occupied;
 static VoglPolygons* polygons;
 static voIndexedFaceSet* sides; // of the boxes, to outline them
 
@@ -46,12 +46,35 @@ static double readValue(const char* program, const char* word)
     return value;
 }
 
+static int channelsOf(voExternalFormatType format)
+{
+    switch (format) {
+    case voExternalFormatTypeScope::LUMINANCE_ALPHA: return 2;
+    case voExternalFormatTypeScope::RGBA: return 4;
+    default: return 1;
+    }
+}
+
+// The last channel of each voxel: its value, or its alpha.
+static int readValues(const int origin[3], const int size[3], double* values, void* user)
+{
+    const VoglSource& source = *static_cast<const VoglSource*>(user);
+    const auto channels = std::size_t(channelsOf(source.diskFormat));
+    const std::size_t count = std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]) * channels;
+    std::vector<double> voxels(count); // eight bytes are the largest channel
+    if (source.readBrick(voxels.data(), origin, size)) return 1;
+    const std::vector<double> all = vo::channelValues(source.dataType, voxels.data(), count);
+    for (std::size_t last = channels - 1; last < count; last += channels)
+        *values++ = all[last];
+    return 0;
+}
+
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
     const double low = readValue(argv[0], argv[2]), high = readValue(argv[0], argv[3]);
     if (!(low <= high))
         voglFail(argv[0], std::string("expected LOW up to HIGH, found ") + argv[2] + " " + argv[3]);
-    const VoglSource source = voglOpenBlended(argv[0], argv[1]);
+    VoglSource source = voglOpenBlended(argv[0], argv[1]);
     const double mostCubes = 1 << 18;
     double cubes = 1;
     for (int size : source.size)
@@ -59,76 +82,45 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
     if (cubes > mostCubes)
         voglFail(argv[0], "option -tessellationSize: expected at most " + std::to_string(int(mostCubes)) +
                               " sub-cubes, found " + std::to_string(long(cubes)));
-    subCubes = findSubCubes(source, options.tessellationSize, low, high);
+    occupied =
+        std::make_unique<voutOccupied>(source.size, readValues, &source, low, high, options.tessellationSize);
+    if (occupied->getBlockCount() == 0) {
+        if (voError::getErrorNumber() == voErrorTypeScope::BAD_VALUE) exit(1); // reading has said why
+        voglFail(argv[0], voError::getErrorString());
+    }
+    occupied->setMerged(areSeparate ? VO_FALSE : VO_TRUE);
     volume = voglReadVolume(argv[0], source);
     return volume.bricks;
 }
 
-// Appends the eight corners of a box, and the tetrahedra that `indices` make of them.
-static void appendBox(voIndexedTetraSet* aTetraSet, const float corners[2][3], const int* indices,
-                      int indexCount)
+// The six sides of each box, without the diagonals of its tetrahedra.
+static voIndexedFaceSet* makeSides()
 {
-    voVertexData* vertices = aTetraSet->getVertexData();
-    voIndices* tetras = aTetraSet->getIndices();
-    const int firstVertex = vertices->getCount(), firstIndex = tetras->getCount();
-    for (int vertex = 0; vertex < 8; vertex++)
-        for (int i = 0; i < 3; i++)
-            (*vertices)[firstVertex + vertex][i] = corners[vertex >> i & 1][i];
-    for (int index = 0; index < indexCount; index++)
-        (*tetras)[firstIndex + index] = firstVertex + indices[index];
-    vertices->setCount(firstVertex + 8);
-    tetras->setCount(firstIndex + indexCount);
-}
-
-// The six sides of each box. They share the vertices of the tetrahedra, whose diagonals they leave out; the
-// first eight vertices are the whole volume's.
-static voIndexedFaceSet* makeSides(voIndexedTetraSet* aTetraSet, int boxCount)
-{
-    // Corner number 4 z + 2 y + x.
-    static const int corners[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                      {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-    voIndexedFaceSet* faces = new voIndexedFaceSet(aTetraSet->getVertexData(), 6 * 5 * boxCount);
-    int count = 0;
-    for (int box = 1; box <= boxCount; box++)
-        for (const auto& side : corners) {
-            (*faces->getIndices())[count++] = 4;
-            for (int corner : side)
-                (*faces->getIndices())[count++] = 8 * box + corner;
+    voIndexedFaceSet* faces = new voIndexedFaceSet(8, 3, 8);
+    for (int box = 0; box < occupied->getBoxCount(); box++) {
+        float ends[2][3];
+        occupied->getBox(box, ends[0], ends[1]);
+        for (int side = 0; side < 6; side++) {
+            const int across = side % 3, u = (across + 1) % 3, v = (across + 2) % 3;
+            float corners[4][3];
+            for (int corner = 0; corner < 4; corner++) {
+                corners[corner][across] = ends[side / 3][across];
+                corners[corner][u] = ends[corner == 1 || corner == 2][u];
+                corners[corner][v] = ends[corner / 2][v];
+            }
+            faces->appendPoly(corners[0], 4);
         }
-    faces->getIndices()->setCount(count);
+    }
     return faces;
 }
 
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
-    // Corner number 4 z + 2 y + x.
-    static const int five[] = {0, 3, 5, 6, 1, 0, 3, 5, 2, 0, 3, 6, 4, 0, 5, 6, 7, 3, 5, 6};
-    // The same mirrored, for every other sub-cube: then the diagonals of neighbours match.
-    static const int mirrored[] = {1, 2, 4, 7, 0, 1, 2, 4, 3, 1, 2, 7, 5, 1, 4, 7, 6, 2, 4, 7};
-    static const int flat[] = {0, 1, 2, 3, 4, 5, 6, 7};
-    const std::vector<SubCubeBox> boxes = areSeparate ? separate(subCubes) : coalesce(subCubes);
-    const int boxCount = int(boxes.size());
-    voIndexedTetraSet* aTetraSet = new voIndexedTetraSet(8 * (boxCount + 1), 3, 20 * boxCount + 8);
-
-    // Sampling planes are spread over all tetrahedra. Two that are flat, the volume's lowest and highest
-    // side, yield no slices, but leave the planes where those of the whole volume lie.
-    const float whole[2][3] = {{0, 0, 0},
-                               {float(volume.size[0]), float(volume.size[1]), float(volume.size[2])}};
-    appendBox(aTetraSet, whole, flat, 8);
-    for (const SubCubeBox& box : boxes) {
-        float corners[2][3];
-        for (std::size_t i = 0; i < 3; i++) {
-            corners[0][i] = float(box.lower[i] * subCubes.size);
-            corners[1][i] = std::min(float(box.upper[i]) * float(subCubes.size), whole[1][i]);
-        }
-        const bool odd = (box.lower[0] + box.lower[1] + box.lower[2]) % 2;
-        appendBox(aTetraSet, corners, odd ? mirrored : five, 20);
-    }
-    sides = makeSides(aTetraSet, boxCount);
+    voIndexedTetraSet* aTetraSet = occupied->tessellate();
+    sides = makeSides();
     polygons = new VoglPolygons(aTetraSet, volume, voInterleavedArrayTypeScope::V3F);
-    printf("kept %d of %d sub-cubes, in %d boxes\n",
-           int(std::count(subCubes.needed.begin(), subCubes.needed.end(), 1)), int(subCubes.needed.size()),
-           boxCount);
+    printf("kept %d of %d sub-cubes, in %d boxes\n", occupied->getOccupiedCount(), occupied->getBlockCount(),
+           occupied->getBoxCount());
     return aTetraSet;
 }
 

@@ -59,6 +59,12 @@ public:
     /** Releases the texture objects and takes interleaved bricks apart. */
     static int volumeUnoptimize(voBrickSetCollection *volume);
 
+    /** The lowest and the highest value of each block of blockSize voxels a side, one voxel round it included, as
+        textures show them: 0 to 1. Of one channel the value itself, of several alpha, which is 1 for RGB8_EXT and RGB4_EXT.
+        Two floats for each block, blocks along x fastest, as many along an axis as hold the volume. Needs voxels in all
+        bricks, which are where the collection put them. */
+    static int volumeFindRanges(voBrickSetCollection *volume, int blockSize, float *ranges);
+
     /** Declares two textures of equal sizes, formats and data type, of one or two channels, to be interleaved. What is
         drawn stays the same. Others, one texture twice, or one that is interleaved with a third: BAD_VALUE. */
     static int textureInterleave(voTexture3D *texture1, voTexture3D *texture2);

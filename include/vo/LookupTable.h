@@ -32,6 +32,9 @@ public:
         the entries, those of the application are not written. A width below 1 counts as 1. */
     void set(voLookupTableShape shape, float center, float width);
     virtual voLookupTableType getType() const = 0;
+    /** VO_FALSE where all values from `low` to `high`, of 0 to 1 as textures show them, have an opacity of exactly 0 by
+        the entries that load() took. Before load(): BAD_VALUE and VO_TRUE. */
+    voBool isVisible(float low, float high) const;
 
     /** In: the preferred type; out: what will be done, and formats for the table. COLOR gives RGBA8_EXT and RGBA,
         MONOCHROME LUMINANCE8_ALPHA8_EXT and LUMINANCE_ALPHA; FLOAT entries. */

@@ -19,18 +19,31 @@ struct Layers
     int last;
 };
 
-Layers layersOf(int cell, int origin, int size)
+Layers layersOf(int cell, int side, int origin, int size)
 {
-    return {std::max(cell * kCellSide - 1 - origin, 0), std::min((cell + 1) * kCellSide - origin, size - 1)};
+    return {std::max(cell * side - 1 - origin, 0), std::min((cell + 1) * side - origin, size - 1)};
+}
+
+/// From the first cell that a brick meets, or is beside, to before the end.
+struct CellSpan
+{
+    int first;
+    int end;
+};
+
+CellSpan cellsOf(const CellGrid& grid, int origin, int size)
+{
+    const int beside = grid.besideBrick ? 1 : 0;
+    return {std::max(origin - beside, 0) / grid.side, (origin + size + beside + grid.side - 1) / grid.side};
 }
 
 class RangeFinder
 {
 public:
     RangeFinder(std::span<const std::byte> voxels, VoxelFormat format, const VoxelSize& size,
-                const VoxelOrigin& origin, VoxelComponent component, CellRanges& result)
+                const VoxelOrigin& origin, VoxelComponent component, int side, CellRanges& result)
         : voxels_(voxels), format_(format), size_(size), origin_(origin),
-          component_(static_cast<std::size_t>(component)), result_(result)
+          component_(static_cast<std::size_t>(component)), side_(side), result_(result)
     {
     }
 
@@ -65,7 +78,8 @@ private:
     template <typename T, typename Rows>
     void fold(int cellY, int cellZ, const Rows& valuesOf, std::vector<T>& low, std::vector<T>& high) const
     {
-        const Layers y = layersOf(cellY, origin_.y, size_.y), z = layersOf(cellZ, origin_.z, size_.z);
+        const Layers y = layersOf(cellY, side_, origin_.y, size_.y);
+        const Layers z = layersOf(cellZ, side_, origin_.z, size_.z);
         const auto n = static_cast<std::size_t>(size_.x);
         const T* start = valuesOf(y.first, z.first);
         low.assign(start, start + n);
@@ -88,7 +102,7 @@ private:
     {
         std::vector<T> lows, highs;
         for (int cell = 0; cell < result_.count.x; ++cell) {
-            const Layers x = layersOf(result_.first.x + cell, origin_.x, size_.x);
+            const Layers x = layersOf(result_.first.x + cell, side_, origin_.x, size_.x);
             lows.push_back(*std::min_element(low.begin() + x.first, low.begin() + x.last + 1));
             highs.push_back(*std::max_element(high.begin() + x.first, high.begin() + x.last + 1));
         }
@@ -146,26 +160,26 @@ private:
     VoxelSize size_;
     VoxelOrigin origin_;
     std::size_t component_;
+    int side_;
     CellRanges& result_;
 };
 
 } // namespace
 
 CellRanges cellRanges(std::span<const std::byte> voxels, VoxelFormat format, const VoxelSize& size,
-                      const VoxelOrigin& origin, VoxelComponent component)
+                      const VoxelOrigin& origin, VoxelComponent component, const CellGrid& grid)
 {
     assert(voxels.size() / voxelBytes(format) >= size.count());
     assert(origin.x >= 0 && origin.y >= 0 && origin.z >= 0);
-    const auto cells = [](int first, int count) {
-        return (first + count + kCellSide - 1) / kCellSide - first / kCellSide;
-    };
+    const CellSpan x = cellsOf(grid, origin.x, size.x), y = cellsOf(grid, origin.y, size.y),
+                   z = cellsOf(grid, origin.z, size.z);
     CellRanges result;
-    result.first = {origin.x / kCellSide, origin.y / kCellSide, origin.z / kCellSide};
-    result.count = {cells(origin.x, size.x), cells(origin.y, size.y), cells(origin.z, size.z)};
+    result.first = {x.first, y.first, z.first};
+    result.count = {x.end - x.first, y.end - y.first, z.end - z.first};
     result.ranges.resize(result.count.count());
     const auto rows = static_cast<std::size_t>(result.count.y);
     parallelFor(rows * static_cast<std::size_t>(result.count.z), 0, [&](std::size_t i) {
-        RangeFinder(voxels, format, size, origin, component, result)
+        RangeFinder(voxels, format, size, origin, component, grid.side, result)
             .findRow(result.first.y + static_cast<int>(i % rows),
                      result.first.z + static_cast<int>(i / rows));
     });

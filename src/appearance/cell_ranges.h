@@ -10,7 +10,7 @@
 
 namespace vo {
 
-/// A volume is cut into cubic cells of so many voxels: cell c spans [c, c + 1] * kCellSide on each axis.
+/// For drawing a volume is cut into cubic cells of so many voxels.
 inline constexpr int kCellSide = 4;
 
 /// The lowest and the highest value that samples inside a cell can read; low > high: none.
@@ -31,10 +31,18 @@ struct CellRanges
     std::vector<ValueRange> ranges; ///< x fastest
 };
 
+/// Cells of a volume: cell c spans [c, c + 1] * side on each axis.
+struct CellGrid
+{
+    int side = kCellSide;
+    /// Cells that a brick does not meet, but is beside, are told about it too.
+    bool besideBrick = false;
+};
+
 /// The ranges of a brick whose lower corner is at `origin` (not negative) of the volume. A sample on the
 /// border of a cell reads half a voxel beyond it, so one layer of the brick's voxels around a cell counts as
 /// well.
 CellRanges cellRanges(std::span<const std::byte> voxels, VoxelFormat format, const VoxelSize& size,
-                      const VoxelOrigin& origin, VoxelComponent component);
+                      const VoxelOrigin& origin, VoxelComponent component, const CellGrid& grid = {});
 
 } // namespace vo

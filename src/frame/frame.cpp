@@ -227,6 +227,19 @@ FrameResult drawSlices(ContextRecord& context, const FrameRequest& request, cons
     return drawMarched(context, request, *marched, samples, clock);
 }
 
+/// The same with the whole box in place of boxes in it outside which nothing is seen: one body costs less
+/// than many, and leaps as far.
+FrameRequest withoutGaps(ContextRecord& context, const FrameRequest& request, SpaceLeaping& leaping)
+{
+    FrameRequest whole = request;
+    if (!clearFragmentsLeaveNoTrace(context)) return whole;
+    if (const std::optional<TetraView> box = leaping.boxAround(context, request)) {
+        debug(2, "frame: nothing shows between the boxes of the set");
+        whole.tetras = *box;
+    }
+    return whole;
+}
+
 void countFrame(ContextRecord& context, Engine engine)
 {
     ++context.framesDrawn[static_cast<std::size_t>(engine)];
@@ -259,7 +272,8 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
     if (!camera) return FrameResult::singularMatrices;
     if (!framebufferIsComplete(context)) return FrameResult::incompleteFramebuffer;
     if (request.outlineBricks || request.outlineTetras) drawOutlines(context, request, state);
-    const std::string whySlices = drawCastFrame(context, request, state, *camera, cache);
+    const FrameRequest whole = withoutGaps(context, request, cache.leaping);
+    const std::string whySlices = drawCastFrame(context, whole, state, *camera, cache);
     if (whySlices.empty()) {
         countFrame(context, Engine::cast);
         clock.finish();
@@ -269,7 +283,7 @@ FrameResult drawFrame(ContextRecord& context, const FrameRequest& request, Frame
     tellWhySlices(context, whySlices);
     clock.end(&FrameTimes::draw);
 
-    const FrameResult result = drawSlices(context, request, *camera, state, cache, clock);
+    const FrameResult result = drawSlices(context, whole, *camera, state, cache, clock);
     if (result == FrameResult::ok) countFrame(context, Engine::slices);
     clock.finish();
     clock.end(&FrameTimes::draw);

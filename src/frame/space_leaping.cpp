@@ -74,6 +74,18 @@ std::optional<Box> filledBox(const TetraView& tetras)
     return box;
 }
 
+/// Five tetrahedra that fill a box, by its corners: number 4 z + 2 y + x.
+constexpr int kBoxTetras[] = {0, 6, 5, 3, 0, 6, 2, 3, 1, 5, 0, 3, 6, 5, 7, 3, 5, 6, 4, 0};
+
+std::vector<float> cornersOf(const Box& box)
+{
+    std::vector<float> corners;
+    for (int corner = 0; corner < 8; ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+            corners.push_back(static_cast<float>(corner >> axis & 1 ? box.upper[axis] : box.lower[axis]));
+    return corners;
+}
+
 /// The brick's lower corner, if its voxels lie one a unit from whole, positive coordinates on.
 std::optional<VoxelOrigin> wholeOrigin(const FrameBrick& brick)
 {
@@ -111,6 +123,51 @@ bool samePlanes(const PlaneFamily& a, const PlaneFamily& b)
 }
 
 } // namespace
+
+std::optional<TetraView> SpaceLeaping::boxAround(ContextRecord& context, const FrameRequest& request)
+{
+    if (request.layout.texCoord >= 0 || request.layout.color >= 0 || request.tetras.valuesPerVertex != 3 ||
+        request.sampling.space == SamplingSpace::primitive || request.bricks.empty())
+        return {};
+    if (!findUnion(request.tetras) || !findOccupied(context, request)) return {};
+    if (unionCells_ != cellsSerial_) {
+        unionCells_ = cellsSerial_;
+        unionShowsAll_ = !showsOutsideUnion();
+    }
+    if (!unionShowsAll_) return {};
+    TetraView around;
+    around.records = aroundRecords_;
+    around.indices = kBoxTetras;
+    return around;
+}
+
+/// False too for boxes that leave nothing out.
+bool SpaceLeaping::findUnion(const TetraView& tetras)
+{
+    if (std::ranges::equal(unionRecords_, tetras.records) &&
+        std::ranges::equal(unionIndices_, tetras.indices))
+        return union_.has_value();
+    unionRecords_.assign(tetras.records.begin(), tetras.records.end());
+    unionIndices_.assign(tetras.indices.begin(), tetras.indices.end());
+    unionCells_ = 0;
+    union_ = boxUnion(tetras);
+    if (union_ && std::ranges::find(union_->covered, 0) == union_->covered.end()) union_.reset();
+    if (union_) aroundRecords_ = cornersOf(union_->bounds);
+    return union_.has_value();
+}
+
+bool SpaceLeaping::showsOutsideUnion() const
+{
+    const std::uint8_t* occupied = cells_.occupied.data();
+    for (int z = 0; z < cells_.count.z; ++z)
+        for (int y = 0; y < cells_.count.y; ++y)
+            for (int x = 0; x < cells_.count.x; ++x) {
+                if (!*occupied++) continue;
+                const glm::dvec3 lower = static_cast<double>(cells_.side) * glm::dvec3(x, y, z);
+                if (!union_->covers({lower, lower + static_cast<double>(cells_.side)})) return true;
+            }
+    return false;
+}
 
 const OccupiedSlices* SpaceLeaping::slices(ContextRecord& context, const FrameRequest& request,
                                            const Camera& camera)
@@ -250,6 +307,7 @@ void SpaceLeaping::markOccupied(const VisibleValues& visible)
             }
     }
     joinCells();
+    cellsSerial_ = newSerial();
     empty_.serial = 0;
     pays_ = occupiedPart(blocks_) <= kMostOccupied;
 }

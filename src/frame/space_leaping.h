@@ -3,6 +3,7 @@
 #include "appearance/cell_range_store.h"
 #include "core/box.h"
 #include "draw/context_record.h"
+#include "geometry/box_union.h"
 #include "lookup/visible_values.h"
 #include "polygonize/camera.h"
 #include "polygonize/slice_occupied.h"
@@ -33,6 +34,11 @@ struct EmptyCells
 class SpaceLeaping
 {
 public:
+    /// The box round tetrahedra that fill boxes with nothing to be seen between them, as tetrahedra, borrowed
+    /// until the next call; nothing when that cannot be told, or is not so. Only for states in which a
+    /// fragment without opacity changes nothing.
+    std::optional<TetraView> boxAround(ContextRecord& context, const FrameRequest& request);
+
     /// The slices of a frame, far to near in each brick; nullptr when they cannot be told (the volume is not
     /// in its place, or not a box; the texture has opacity everywhere) or are nearly all of them. Only for
     /// states in which a fragment without opacity changes nothing.
@@ -60,6 +66,8 @@ private:
 
     bool costsLess(const ContextRecord& context) const;
     bool findDomain(const TetraView& tetras);
+    bool findUnion(const TetraView& tetras);
+    bool showsOutsideUnion() const;
     bool findRanges(CellRangeStore& store, const FrameRequest& request, VoxelComponent component);
     bool findOccupied(ContextRecord& context, const FrameRequest& request);
     void markOccupied(const VisibleValues& visible);
@@ -69,12 +77,20 @@ private:
     std::vector<int> keyIndices_;
     std::optional<Box> domain_; ///< that the tetrahedra fill
 
+    std::vector<float> unionRecords_;
+    std::vector<int> unionIndices_;
+    std::optional<BoxUnion> union_;
+    std::vector<float> aroundRecords_; ///< of its bounds
+    bool unionShowsAll_ = false;       ///< in cells_ of unionCells_
+    std::uint64_t unionCells_ = 0;
+
     std::vector<KnownBrick> bricks_;
     bool rangesChanged_ = false;
     std::uint64_t keyTables_[2] = {0, 0};
-    OccupiedCells cells_;  ///< kCellSide wide
-    OccupiedCells blocks_; ///< of kCellsPerBlock cells a side
-    EmptyCells empty_;     ///< serial 0: not those of cells_
+    OccupiedCells cells_;           ///< kCellSide wide
+    std::uint64_t cellsSerial_ = 0; ///< others have another
+    OccupiedCells blocks_;          ///< of kCellsPerBlock cells a side
+    EmptyCells empty_;              ///< serial 0: not those of cells_
     bool pays_ = false;
     int framesToPass_ = 0; ///< before it is tried again whether less is drawn
 

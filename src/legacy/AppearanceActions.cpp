@@ -6,6 +6,7 @@
 #include <vo/AppearanceActions.h>
 #include <vo/GeometryActions.h>
 
+#include "appearance/cell_ranges.h"
 #include "appearance/convert_voxels.h"
 #include "appearance/transposed_stacks.h"
 #include "draw/scoped_state.h"
@@ -86,6 +87,51 @@ int textureLimit()
 {
     const vo::ContextRecord* context = vo::currentContext();
     return context && context->usable() ? context->max3dSize : kLimitWithoutContext;
+}
+
+/// The ranges of what decides the opacity of a brick's samples.
+vo::CellRanges opacityRanges(const voBrick& brick, const vo::CellGrid& grid)
+{
+    const voInside::Texture& d = voInside::of(brick);
+    const vo::TexelFormat texel = vo::texelFormat(d.internalFormat);
+    vo::VoxelOrigin origin;
+    vo::VoxelSize size;
+    brick.getBrickSizes(origin.x, origin.y, origin.z, size.x, size.y, size.z);
+    for (int axis = 0; axis < 3; ++axis)
+        if (d.origin[axis] != static_cast<float>(origin[axis]) || origin[axis] < 0 ||
+            d.extent[axis] != static_cast<float>(d.size[axis]))
+            badValue("a brick is not where whole voxels of the volume lie");
+    const bool oneChannel = texel == vo::TexelFormat::intensity || texel == vo::TexelFormat::luminance;
+    vo::CellRanges ranges =
+        vo::cellRanges(voxelsToWrite(brick), formatOf(brick), size, origin,
+                       oneChannel ? vo::VoxelComponent::red : vo::VoxelComponent::alpha, grid);
+    if (texel == vo::TexelFormat::rgb) std::ranges::fill(ranges.ranges, vo::ValueRange{1.0f, 1.0f});
+    return ranges;
+}
+
+/// The lowest and the highest value of each of `count` blocks over all bricks.
+void uniteRanges(std::span<const vo::CellRanges> bricks, const vo::VoxelSize& count, float* ranges)
+{
+    const vo::ValueRange none;
+    for (std::uint64_t block = 0; block < count.count(); ++block) {
+        ranges[2 * block] = none.low;
+        ranges[2 * block + 1] = none.high;
+    }
+    for (const vo::CellRanges& brick : bricks) {
+        std::size_t number = 0;
+        for (int z = brick.first.z; z < brick.first.z + brick.count.z; ++z)
+            for (int y = brick.first.y; y < brick.first.y + brick.count.y; ++y)
+                for (int x = brick.first.x; x < brick.first.x + brick.count.x; ++x, ++number) {
+                    if (x >= count.x || y >= count.y || z >= count.z) continue;
+                    const std::size_t block =
+                        (static_cast<std::size_t>(z) * static_cast<std::size_t>(count.y) +
+                         static_cast<std::size_t>(y)) *
+                            static_cast<std::size_t>(count.x) +
+                        static_cast<std::size_t>(x);
+                    ranges[2 * block] = std::min(ranges[2 * block], brick.ranges[number].low);
+                    ranges[2 * block + 1] = std::max(ranges[2 * block + 1], brick.ranges[number].high);
+                }
+    }
 }
 
 struct BestFormats
@@ -411,6 +457,23 @@ int voAppearanceActions::volumeMakeTransposed(voBrickSetCollection* volume)
             const std::vector<vo::BrickVoxels> targets = bricksOf(set);
             vo::fillFromBricks(sources, targets, bytes, size);
         }
+    });
+}
+
+int voAppearanceActions::volumeFindRanges(voBrickSetCollection* volume, int blockSize, float* ranges)
+{
+    return guarded("voAppearanceActions::volumeFindRanges", [&] {
+        const voBrickSet& set = *required(volume, "volume").getCurrentBrickSet();
+        required(ranges, "ranges");
+        if (blockSize < 1) badValue("blocks of " + std::to_string(blockSize) + " voxels a side");
+        vo::VoxelSize size;
+        set.getVolumeSizes(size.x, size.y, size.z);
+        const vo::CellGrid grid{std::min(blockSize, std::max({size.x, size.y, size.z})), true};
+        std::vector<vo::CellRanges> found;
+        for (int brick = 0; brick < set.getBrickCount(); ++brick)
+            found.push_back(opacityRanges(*set.getBrick(brick), grid));
+        const auto blocks = [&](int voxels) { return (voxels - 1) / grid.side + 1; };
+        uniteRanges(found, {blocks(size.x), blocks(size.y), blocks(size.z)}, ranges);
     });
 }
 

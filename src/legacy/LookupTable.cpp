@@ -132,7 +132,18 @@ void voLookupTable::load()
                              ? vo::linearRamp(d->width, d->rampCenter, d->rampWidth)
                              : readEntries(d->data, d->width, d->externalFormat, d->dataType, luminanceAlpha);
         d->slot->serial = nextSerial();
+        d->visible = vo::VisibleValues(d->slot->table);
     });
+}
+
+voBool voLookupTable::isVisible(float low, float high) const
+{
+    bool visible = true;
+    guarded("voLookupTable::isVisible", [&] {
+        if (!d->visible) badValue("the table was not loaded");
+        visible = d->visible->any(low, high);
+    });
+    return visible ? VO_TRUE : VO_FALSE;
 }
 
 void voLookupTable::enable()

@@ -15,8 +15,10 @@
 #include "core/record_layout.h"
 #include "draw/brick_texture.h"
 #include "frame/frame.h"
+#include "lookup/visible_values.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 struct voVertexData::Private
@@ -96,6 +98,7 @@ struct voLookupTable::Private
     float rampCenter = 0;
     float rampWidth = 1;
     std::shared_ptr<vo::TableSlot> slot;
+    std::optional<vo::VisibleValues> visible; ///< since load()
 };
 
 struct voDrawActionCache::Private

@@ -81,6 +81,7 @@ constexpr Drawing kDrawings[] = {
     {"voglBasic", "blob.tif -bricks 3 2 2 -overlap 0 -view 20 30 -lutFile warm.lut"},
     {"voglCache", "blob.tif -lutFile warm.lut -view 20 30 -bricks 2 1 2"},
     {"voglSpaceLeap", "blob.tif -tess 8 1 255 -lutFile warm.lut -view 20 30 -separate"},
+    {"voglSpaceLeap", "blob.tif -tess 6 1 255 -lutFile warm.lut -view 20 30"},
     {"voglMorph", "blob.tif -lutFile warm.lut -twist 60 -bend 40 -view 10 60"},
     {"voglMorph", "blob.tif -twist 60 -bend 40 -view 10 60 -bricks 2 2 1 -perspective 40"},
     {"voglSphere", "blob.tif -radius 9 -lutFile warm.lut -view 10 60"},

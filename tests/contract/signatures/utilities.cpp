@@ -1,6 +1,7 @@
 // U: timers (page 98) and higher primitives (pages 97-98 and 113-114).
 
 #include <vo/utGeometry.h>
+#include <vo/utOccupied.h>
 #include <vo/utPerfMeter.h>
 #include <vo/utSolids.h>
 
