@@ -44,6 +44,8 @@ public:
     void make(voBrickSetCollection* aVolume, voRenderingMode renderingMode, double low, double high);
     /** From now on it is the one that slices are drawn with; if there is none, they are drawn without. */
     void enable();
+    /** The table itself, NULL if there is none: for those who enable it in their own time. */
+    voLookupTable* get() const { return table_; }
     /** Slices are drawn without a table. */
     static void disable();
     /** Moves the ramp; in parts of the data range. Nothing happens with a table from a file, or without a

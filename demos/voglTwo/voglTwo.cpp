@@ -1,10 +1,12 @@
-// voglTwo: two volumes that overlap. Both are cut by the same planes, so that their slices interleave in
-// depth order and the volumes shine through each other (guide, pages 116-118).
+// voglTwo: two volumes that overlap. They are parts of one scene, cut by the same planes, so that their
+// slices interleave in depth order and the volumes shine through each other (guide, pages 116-118).
 #include "voglMain.h"
 
 #include "voglFrame.h"
 #include "voglLookup.h"
 #include "voglVolume.h"
+
+#include <vo/utParts.h>
 
 #include <algorithm>
 #include <array>
@@ -54,13 +56,14 @@ struct Part
     VoglLookup* lookup;
     float origin[3] = {0, 0, 0}, spacing[3] = {1, 1, 1};
     voIndexedTetraSet *box, *outline;
-    VoglPolygons* polygons;
 
     float end(int axis) const { return origin[axis] + spacing[axis] * float(volume.size[axis]); }
 };
 
 static VoglLookup secondLookup;
 static Part parts[2];
+static voutParts* scene;
+static voIndexedTetraSet* sceneBox;
 
 static void readFirst(const char* program, const VoglSource& source)
 {
@@ -113,40 +116,48 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
     return NULL; // neither of the two: the view shows the tetrahedra round both
 }
 
-// The box round both volumes, in voxel coordinates of this one. Planes lie where the tetrahedra are: the same
-// tetrahedra give both volumes the same planes. Voxel coordinates outside the volume are clipped away.
+// The box round both volumes, where the matrix of the part puts it. Planes lie where the tetrahedra are, and
+// voxel coordinates outside the volume are clipped away.
 static voIndexedTetraSet* makeBox(const Part& part)
 {
-    const float lower[3] = {0, 0, 0};
-    float upper[3];
-    for (int i = 0; i < 3; i++)
-        upper[i] = std::max(parts[0].end(i), parts[1].end(i));
-    voIndexedTetraSet* positions = voglBox(lower, upper);
-    const int count = positions->getVertexData()->getCount();
-    voIndices& indices = *positions->getIndices();
-    voIndexedTetraSet* box = new voIndexedTetraSet(
-        count, getValuesPerVertex(voInterleavedArrayTypeScope::T3F_V3F), indices.getCount());
-    for (int vertex = 0; vertex < count; vertex++)
-        for (int i = 0; i < 3; i++) {
-            const float position = (*positions->getVertexData())[vertex][i];
-            (*box->getVertexData())[vertex][i] = (position - part.origin[i]) / part.spacing[i];
-            (*box->getVertexData())[vertex][3 + i] = position;
-        }
-    std::copy_n(indices.getDataPtr(), indices.getCount(), box->getIndices()->getDataPtr());
-    box->getVertexData()->setCount(count);
-    box->getIndices()->setCount(indices.getCount());
-    delete positions;
-    return box;
+    float lower[3], upper[3];
+    for (int i = 0; i < 3; i++) {
+        lower[i] = -part.origin[i] / part.spacing[i];
+        upper[i] = (std::max(parts[0].end(i), parts[1].end(i)) - part.origin[i]) / part.spacing[i];
+    }
+    return voglBox(lower, upper);
 }
 
 voIndexedTetraSet* my_InitGeometry(voBrickSetCollection*)
 {
+    scene = new voutParts;
     for (Part& part : parts) {
         part.box = makeBox(part);
         part.outline = voglBox(part.volume);
-        part.polygons = new VoglPolygons(part.box, part.volume, voInterleavedArrayTypeScope::T3F_V3F);
+        const int number = scene->add(part.box, voInterleavedArrayTypeScope::V3F, part.volume.bricks);
+        const GLdouble toScene[16] = {part.spacing[0],
+                                      0,
+                                      0,
+                                      0,
+                                      0,
+                                      part.spacing[1],
+                                      0,
+                                      0,
+                                      0,
+                                      0,
+                                      part.spacing[2],
+                                      0,
+                                      part.origin[0],
+                                      part.origin[1],
+                                      part.origin[2],
+                                      1};
+        scene->setMatrix(number, toScene);
     }
-    return parts[0].box;
+    const float lower[3] = {0, 0, 0};
+    float upper[3];
+    for (int i = 0; i < 3; i++)
+        upper[i] = std::max(parts[0].end(i), parts[1].end(i));
+    return sceneBox = voglBox(lower, upper);
 }
 
 void my_InitGfx(voIndexedTetraSet*, voBrickSetCollection*)
@@ -174,24 +185,29 @@ static void drawOutlines(const Part& part)
 
 void my_DrawVolume(voIndexedTetraSet*, voBrickSetCollection*)
 {
-    for (Part& part : parts) {
-        voglChooseStack(part.volume.bricks);
-        drawOutlines(part);
-        part.polygons->polygonize();
+    for (int i = 0; i < 2; i++) {
+        voglChooseStack(parts[i].volume.bricks);
+        drawOutlines(parts[i]);
+        scene->setLookupTable(i, parts[i].lookup->get());
     }
-    voglBeginSlices(parts[0].volume.bricks, voInterleavedArrayTypeScope::T3F_V3F);
-    for (int sampleNo = 0; sampleNo < parts[0].polygons->getSamplesNumber(); sampleNo++)
-        for (Part& part : parts) {
-            part.lookup->enable();
-            part.polygons->drawPlane(sampleNo);
-        }
-    voglEndSlices(parts[0].volume.bricks);
+    GLdouble model[16], projection[16];
+    vo::getMatrices(model, projection);
+    float period[3];
+    voglSamplingPeriod(period);
+    voglBeginBlending();
+    drawTimer.start();
+    scene->draw(model, projection, voglSamplingMode(parts[0].volume.bricks),
+                options.viewSpace ? voSamplingSpaceScope::VIEW_VOLUME : voSamplingSpaceScope::OBJECT, period,
+                parts[0].volume.maxSamplesNumber);
+    drawTimer.stop();
+    voglEndBlending();
 }
 
 void my_Cleanup(voIndexedTetraSet*, voBrickSetCollection*)
 {
+    delete scene;
+    delete sceneBox;
     for (Part& part : parts) {
-        delete part.polygons;
         delete part.outline;
         delete part.box;
         part.lookup->free();
