@@ -3,13 +3,16 @@
 #include "vout/convex_planes.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <unordered_map>
 
 namespace vo {
 
-/// Splits tetrahedra into what lies inside of all planes and what does not. Edges that planes cut get one vertex each;
-/// every tetrahedron at such an edge is bisected there, in the order of those vertices' numbers, which decides how its
-/// faces are split: all that share a face split it alike.
+/// Splits tetrahedra into what lies inside of all planes and what does not. In between they are convex cells
+/// whose faces are polygons that two neighbours share: a plane splits a face once, for both, and an edge by one
+/// vertex, for all. Only cells that are inside so far are split; what lies at their edges gets the new vertices.
+/// In the end each face is cut into triangles, again for both, and each cell into tetrahedra on them.
 class CutMesh
 {
 public:
@@ -19,26 +22,45 @@ public:
     void cut(const CutPlane& plane);
 
     /// Records rounded to floats, vertices in use alone, tetrahedra of positive volume alone.
-    TetraMesh inside() const { return rounded(inner_); }
-    TetraMesh outside() const { return rounded(outer_); }
+    TetraMesh inside() const { return tetrasOf(inner_); }
+    TetraMesh outside() const { return tetrasOf(outer_); }
 
 private:
+    /// A convex polygon; vertices may lie on its edges. Once it is split, its parts stand for it.
+    struct Face
+    {
+        std::vector<int> loop;
+        int parts[2] = {-1, -1};
+    };
+    /// A face of a cell; `outward`: counter-clockwise as seen from outside.
+    struct CellSide
+    {
+        int face;
+        bool outward;
+    };
+    using Cell = std::vector<CellSide>;
+
     glm::dvec3 position(int vertex) const;
     int side(int vertex);
     int middleOf(int a, int b, bool mayMake);
-    void bisect(const Tetra& tetra, std::vector<Tetra>& pieces);
-    void sortOut(const std::vector<Tetra>& pieces, std::vector<Tetra>& stillInner);
-    TetraMesh rounded(const std::vector<Tetra>& tetras) const;
+    void insertMiddles(Face& face);
+    void splitFace(int face);
+    void resolve(Cell& cell) const;
+    bool splitCell(const Cell& cell, Cell& positive, Cell& negative);
+    double middleDistance(const Cell& cell) const;
+    void splitFaces();
+    TetraMesh tetrasOf(const std::vector<Cell>& cells) const;
 
     int values_;
     double snap_;
     std::vector<double> records_;
-    std::vector<Tetra> inner_, outer_;
+    std::vector<Face> faces_;
+    std::vector<Cell> inner_, outer_;
 
     // Of the present plane.
     CutPlane plane_{};
     int pass_ = 0;
-    std::vector<int> passOf_;      ///< the pass in which the two below were found, by vertex
+    std::vector<int> passOf_;      ///< the pass in which the next was found, by vertex
     std::vector<double> distance_; ///< 0 for what the plane goes through
     std::unordered_map<std::uint64_t, int> middles_; ///< by edge
 };

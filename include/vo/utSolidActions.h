@@ -10,11 +10,11 @@
     vertex whose position is not finite, are left out. An answer may be empty.
 
     Cuts are exact: tetrahedra that a plane crosses are split along it. Pieces have positive volumes as voutGeometry's
-    have, share whole faces with their neighbours, and one vertex for each edge that is cut, whose record is interpolated in
-    every value. What a plane only touches is not split. inside() and outside() of the same arguments make the same
-    vertices: their sets fit without a crack, and together are the whole. Cuts are computed in double precision; a plane
-    that passes a vertex within 2^-20 of the set's largest coordinate goes through it, and pieces that are so thin that
-    floats make them flat are left out.
+    have, share whole faces with their neighbours, and one vertex for each edge that is cut, whose record is interpolated
+    in every value; a piece with too many faces gets one in its middle. What a plane only touches is not split. inside()
+    and outside() of the same arguments make the same vertices between them: their sets fit without a crack, and together
+    are the whole. Cuts are computed in double precision; a plane that passes a vertex within 2^-20 of the set's largest
+    coordinate goes through it, and pieces that are so thin that floats make them flat are left out.
 
     Planes are {A, B, C, D}, one after the other; Ax + By + Cz + D >= 0 is inside, as with voGeometryActions::clip.
     They cut by the positions, the last three values of a record. */
