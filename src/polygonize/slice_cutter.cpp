@@ -99,20 +99,74 @@ void SliceCutter<kValues>::clip(const Polygon& polygon, std::size_t axis, double
 }
 
 template <int kValues>
-bool SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, FaceSink& sink)
+void SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes,
+                               CutSections& sections)
 {
-    sink_ = &sink;
+    sections_ = &sections;
     voxelColumn_ = kValues == 3 ? 0 : tetra.voxelColumn;
     for (int axis = 0; axis < 3; ++axis)
         findNear(tetra, axis);
+    BoxesNearby boxes;
+    const bool few = kValues == 3 && describeNear(boxes) && describeBoxes(boxes);
+    const TetraSections of{tetra.corners[0].data(), tetra.offsets.data(), tetra.firstInFront.data(),
+                           tetra.mirrored};
     const auto [begin, end] = std::ranges::minmax(tetra.firstInFront);
     for (sample_ = begin; sample_ < end; ++sample_) {
+        if (few) sample_ = cutSections(of, boxes, planes, sample_, end, sections);
+        if (sample_ == end) break;
         unsigned mask = 0;
         for (unsigned corner = 0; corner < 4; ++corner)
             mask |= (tetra.firstInFront[corner] <= sample_ ? 1u : 0u) << corner;
         slice(tetra, planes.offset(sample_), mask);
-        if (polygons_[3].count > 2 && !cutAlong(0, polygons_[3])) return false;
+        if (polygons_[3].count > 2) cutAlong(0, polygons_[3]);
     }
+}
+
+/// False: there are too many faces, or some too close together.
+template <int kValues>
+bool SliceCutter<kValues>::describeNear(BoxesNearby& boxes) const
+{
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Near& near = near_[axis];
+        BoxesNearby::Axis& found = boxes.axes[axis];
+        found = {near.cuts, 0, 1, {}, {}};
+        if (!near.cuts) continue;
+        const auto intervals = lattice_.intervals(static_cast<int>(axis));
+        found.faceCount = near.faces.size();
+        found.intervalCount = static_cast<std::size_t>(near.endInterval - near.firstInterval);
+        if (found.faceCount > BoxesNearby::kMostFaces || found.intervalCount > BoxesNearby::kMostIntervals)
+            return false;
+        std::ranges::copy(near.faces, found.faces.begin());
+        if (found.faceCount == 2 && !(found.faces[1] - found.faces[0] > kMargin)) return false;
+        const auto faceAt = [&](double coordinate) {
+            const auto face = std::ranges::find(near.faces, coordinate);
+            return face == near.faces.end() ? -1 : static_cast<int>(face - near.faces.begin());
+        };
+        for (std::size_t i = 0; i < found.intervalCount; ++i) {
+            const auto [lower, upper, next] = intervals[static_cast<std::size_t>(near.firstInterval) + i];
+            if (!(lower < upper) || upper < near.low - kMargin || lower > near.high + kMargin) return false;
+            found.intervals[i] = {faceAt(lower), faceAt(upper)};
+        }
+    }
+    return true;
+}
+
+/// False: several boxes are equal.
+template <int kValues>
+bool SliceCutter<kValues>::describeBoxes(BoxesNearby& boxes) const
+{
+    std::array<std::size_t, 3> at;
+    const auto count = [&](std::size_t axis) { return boxes.axes[axis].intervalCount; };
+    for (at[0] = 0; at[0] < count(0); ++at[0])
+        for (at[1] = 0; at[1] < count(1); ++at[1])
+            for (at[2] = 0; at[2] < count(2); ++at[2]) {
+                BoxLattice::Cell cell = cell_;
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    if (near_[axis].cuts) cell[axis] = near_[axis].firstInterval + static_cast<int>(at[axis]);
+                const auto found = lattice_.boxes(cell);
+                if (found.size() > 1) return false;
+                boxes.boxAt(at[0], at[1], at[2]) = found.empty() ? -1 : found.front().box;
+            }
     return true;
 }
 
@@ -138,6 +192,8 @@ void SliceCutter<kValues>::findNear(const TetraInBoxes<kValues>& tetra, int axis
     near.firstInterval = 0;
     while (near.firstInterval < count && interval(near.firstInterval).upper < low - kMargin)
         ++near.firstInterval;
+    near.low = low;
+    near.high = high;
     near.endInterval = near.firstInterval;
     while (near.endInterval < count && interval(near.endInterval).lower <= high + kMargin)
         ++near.endInterval;
@@ -182,11 +238,17 @@ void SliceCutter<kValues>::slice(const TetraInBoxes<kValues>& tetra, double offs
 
 /// Cuts the polygon to each interval of an axis that it meets, and what is left along the next axis.
 template <int kValues>
-bool SliceCutter<kValues>::cutAlong(std::size_t axis, const Polygon& polygon)
+void SliceCutter<kValues>::cutAlong(std::size_t axis, const Polygon& polygon)
 {
-    if (axis == 3) return emitTo(polygon);
+    if (axis == 3) {
+        emitTo(polygon);
+        return;
+    }
     const Near& near = near_[axis];
-    if (!near.cuts) return cutAlong(axis + 1, polygon);
+    if (!near.cuts) {
+        cutAlong(axis + 1, polygon);
+        return;
+    }
     const std::size_t column = voxelColumn_ + axis;
     double low = polygon.at[0][column], high = low;
     for (std::size_t i = 1; i < polygon.count; ++i) {
@@ -202,17 +264,16 @@ bool SliceCutter<kValues>::cutAlong(std::size_t axis, const Polygon& polygon)
         inUpperFace_[axis] = low == upper && lower < upper && next >= 0;
         const bool inside = low >= lower && high <= upper;
         if (!inside) clip(polygon, axis, lower, upper, cut);
-        if ((inside || cut.count > 2) && !cutAlong(axis + 1, inside ? polygon : cut)) return false;
+        if (inside || cut.count > 2) cutAlong(axis + 1, inside ? polygon : cut);
     }
-    return true;
 }
 
 /// In single precision, without the vertices that fall on the one before.
 template <int kValues>
-bool SliceCutter<kValues>::emitTo(const Polygon& polygon)
+void SliceCutter<kValues>::emitTo(const Polygon& polygon)
 {
     const auto boxes = lattice_.boxes(cell_);
-    if (boxes.empty() || lattice_.belongsToNext(cell_, inUpperFace_)) return true;
+    if (boxes.empty() || lattice_.belongsToNext(cell_, inUpperFace_)) return;
     float* const first = face_.data();
     float* end = first;
     const auto same = [](const float* a, const float* b) {
@@ -226,10 +287,9 @@ bool SliceCutter<kValues>::emitTo(const Polygon& polygon)
     }
     while (end - first > kValues && same(end - kValues, first))
         end -= kValues;
-    if (end - first < 3 * kValues) return true;
+    if (end - first < 3 * kValues) return;
     for (const auto& [cell, box] : boxes)
-        if (!sink_->append(box, sample_, {first, end})) return false;
-    return true;
+        sections_->append(box, sample_, {first, end});
 }
 
 template class SliceCutter<3>;

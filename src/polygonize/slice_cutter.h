@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry/face_sink.h"
 #include "polygonize/box_lattice.h"
+#include "polygonize/cut_sections.h"
 #include "polygonize/sampling_planes.h"
 
 #include <array>
@@ -24,16 +24,16 @@ struct TetraInBoxes
 };
 
 /// What sliceTetra and BoxCutter make of records of kValues, bit for bit, without memory of its own: axes and
-/// boxes that are far from the tetrahedron are not looked at. For 3, 6, 7, 9 and 10 values.
+/// boxes that are far from the tetrahedron are not looked at. Vertices may fall together. For 3, 6, 7, 9 and
+/// 10 values.
 template <int kValues>
 class SliceCutter
 {
 public:
     explicit SliceCutter(const BoxLattice& lattice) : lattice_(lattice) {}
 
-    /// Slices a tetrahedron with all planes that meet it and hands the parts in boxes to `sink`. Returns
-    /// false when the sink had no room.
-    bool cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, FaceSink& sink);
+    /// Slices a tetrahedron with all planes that meet it and appends the parts in boxes.
+    void cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, CutSections& sections);
 
 private:
     /// Each axis leaves at most three vertices of one.
@@ -53,22 +53,25 @@ private:
         bool cuts;
         std::span<const double> faces;
         int firstInterval, endInterval;
+        double low, high; ///< of the corners
     };
 
     void findNear(const TetraInBoxes<kValues>& tetra, int axis);
+    bool describeNear(BoxesNearby& boxes) const;
+    bool describeBoxes(BoxesNearby& boxes) const;
     void clip(const Polygon& polygon, std::size_t axis, double lower, double upper, Polygon& out) const;
     void meet(const Record& from, const Record& to, std::size_t column, double plane, Polygon& out) const;
     void slice(const TetraInBoxes<kValues>& tetra, double offset, unsigned mask);
     double snapped(const Near& near, double coordinate) const;
-    bool cutAlong(std::size_t axis, const Polygon& polygon);
-    bool emitTo(const Polygon& polygon);
+    void cutAlong(std::size_t axis, const Polygon& polygon);
+    void emitTo(const Polygon& polygon);
 
     const BoxLattice& lattice_;
     std::array<Near, 3> near_;
     std::array<Polygon, 4> polygons_; ///< the slice, and what an interval of each axis left of it
     std::array<float, kValues * kMostVertices> face_;
 
-    FaceSink* sink_ = nullptr;
+    CutSections* sections_ = nullptr;
     std::size_t voxelColumn_ = 0;
     int sample_ = 0;
     BoxLattice::Cell cell_{};

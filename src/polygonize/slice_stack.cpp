@@ -49,46 +49,11 @@ struct Corners
     bool mirrored; ///< in this order
 };
 
-struct AsidePolygon
-{
-    int box;
-    int sample;
-    std::size_t first; ///< of the values
-    std::uint32_t records;
-};
-
-/// Polygons that boxes have cut wait here until their place is known.
-class Aside final : public FaceSink
-{
-public:
-    explicit Aside(int values) : values_(static_cast<std::size_t>(values)) {}
-
-    bool append(int brick, int sample, std::span<const float> records) override
-    {
-        const std::size_t first = data.size();
-        std::ranges::copy(records, data.grow(records.size()));
-        polygons.push_back({brick, sample, first, static_cast<std::uint32_t>(records.size() / values_)});
-        return true;
-    }
-    void clear(int values)
-    {
-        values_ = static_cast<std::size_t>(values);
-        data.clear();
-        polygons.clear();
-    }
-
-    KeptArray<float> data;
-    std::vector<AsidePolygon> polygons;
-
-private:
-    std::size_t values_;
-};
-
 struct Part
 {
     std::size_t firstTetra = 0, endTetra = 0;
     KeptArray<SlicedTetra> items;
-    Aside aside{3};
+    CutSections aside; ///< where boxes have cut slices, until the place of all is known
     /// One a box and plane, in the end of what comes next: first by how much it has more than the plane
     /// before, then how much it has, then the place of the next polygon. One plane more than there are.
     std::vector<StackCount> counts;
@@ -159,6 +124,7 @@ public:
         part_.counts.assign(bins + stride, 0);
         for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; tetra += TetraLooks::kMost)
             lookAtSome(tetra, std::min(TetraLooks::kMost, part_.endTetra - tetra));
+        part_.aside.end();
         StackCount* const counts = part_.counts.data();
         for (std::size_t bin = stride; bin < bins; ++bin)
             counts[bin] += counts[bin - stride];
@@ -186,7 +152,7 @@ private:
                 addTo(item.box, changes);
             else if (reachesBoxes(corners))
                 cutAside(item.tetra, corners);
-            item.endAside = static_cast<std::uint32_t>(part_.aside.polygons.size());
+            item.endAside = static_cast<std::uint32_t>(part_.aside.sections.size());
             *part_.items.grow(1) = item;
         }
     }
@@ -225,7 +191,7 @@ private:
 
     void cutAside(std::size_t tetra, const Corners& corners)
     {
-        const std::size_t first = part_.aside.polygons.size();
+        const std::size_t first = part_.aside.sections.size();
         const PlaneFamily planes = job_.planesOf(tetra);
         switch (job_.tetras.valuesPerVertex) {
         case 3: cutWith<3>(corners, planes); break;
@@ -235,10 +201,10 @@ private:
         case 10: cutWith<10>(corners, planes); break;
         default: cutRecords(corners, planes); break;
         }
-        for (const AsidePolygon& polygon : std::span(part_.aside.polygons).subspan(first)) {
-            StackCount* const count = part_.counts.data() + job_.bin(polygon.box, polygon.sample);
-            count[0] += countOfPolygon(polygon.records);
-            count[job_.stride()] -= countOfPolygon(polygon.records);
+        for (const CutSections::Section& section : part_.aside.sections.all().subspan(first)) {
+            StackCount* const count = part_.counts.data() + job_.bin(section.box, section.sample);
+            count[0] += countOfPolygon(section.records);
+            count[job_.stride()] -= countOfPolygon(section.records);
         }
     }
 
@@ -320,19 +286,37 @@ void placeVertex(const Job& job, const BoxLattice& lattice, std::size_t vertex, 
     if (boxes.size() == 1) place.box = boxes.front().box;
 }
 
-void writeAside(const Job& job, Part& part, std::size_t begin, std::size_t end)
+/// Sections and their records, from where they are on.
+struct AsidePlace
+{
+    std::size_t section = 0;
+    const float* records;
+};
+
+void writeAside(const Job& job, Part& part, AsidePlace& from, std::size_t end)
 {
     PolygonStack& stack = *job.stack;
     const auto values = static_cast<std::size_t>(job.tetras.valuesPerVertex);
-    for (const AsidePolygon& polygon : std::span(part.aside.polygons).subspan(begin, end - begin)) {
-        const std::size_t bin = job.bin(polygon.box, polygon.sample);
+    if (values == 3) {
+        const auto sections = part.aside.sections.all().subspan(from.section, end - from.section);
+        const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data(),
+                                 job.stride()};
+        writeSections(sections, from.records, job.bin(1, 0), target);
+        for (const CutSections::Section& section : sections)
+            from.records += 3 * section.records;
+        from.section = end;
+        return;
+    }
+    for (; from.section < end; ++from.section) {
+        const CutSections::Section section = part.aside.sections[from.section];
+        const std::size_t bin = job.bin(section.box, section.sample);
         const StackCount place =
-            std::exchange(part.counts[bin], part.counts[bin] + countOfPolygon(polygon.records));
+            std::exchange(part.counts[bin], part.counts[bin] + countOfPolygon(section.records));
         const std::uint32_t first = recordsOf(place);
-        std::copy_n(part.aside.data.data() + polygon.first, polygon.records * values,
-                    stack.records.data() + first * values);
+        std::copy_n(from.records, section.records * values, stack.records.data() + first * values);
+        from.records += section.records * values;
         std::uint32_t* index = stack.indices.data() + std::size_t{3} * trianglesOf(place);
-        for (std::uint32_t i = 1; i + 1 < polygon.records; ++i) {
+        for (std::uint32_t i = 1; i + 1 < section.records; ++i) {
             *index++ = first + i;
             *index++ = first + i + 1;
             *index++ = first;
@@ -367,7 +351,7 @@ void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
 void writePart(const Job& job, Part& part)
 {
     std::span<const SlicedTetra> items = part.items.all();
-    std::size_t aside = 0;
+    AsidePlace aside{0, part.aside.records.data()};
     while (!items.empty()) {
         const auto cut = std::ranges::find_if(items, [](const SlicedTetra& item) { return item.box < 0; });
         const auto whole = static_cast<std::size_t>(cut - items.begin());
@@ -375,7 +359,6 @@ void writePart(const Job& job, Part& part)
         items = items.subspan(whole);
         if (items.empty()) break;
         writeAside(job, part, aside, items.front().endAside);
-        aside = items.front().endAside;
         items = items.subspan(1);
     }
 }

@@ -286,6 +286,60 @@ HWY_INLINE void writePositionsOf(const TetraToSlice& tetra, const PlaneFamily& p
 }
 #endif
 
+/// Triangles of fans.
+constexpr std::size_t kMostOfFan = 24;
+struct Fan
+{
+    alignas(64) std::array<std::uint32_t, kMostOfFan> numbers{};
+    constexpr Fan()
+    {
+        for (std::uint32_t i = 0; i < kMostOfFan / 3; ++i) {
+            numbers[3 * i] = i + 1;
+            numbers[3 * i + 1] = i + 2;
+        }
+    }
+};
+constexpr Fan kFans;
+
+/// Writes the first `count` of at most kMostOfFan numbers.
+template <class Number, class Value>
+HWY_INLINE void writeFirst(const Value& valueAt, std::size_t count, Number* to)
+{
+    constexpr hn::CappedTag<Number, 8> kTag;
+    constexpr std::size_t kStep = HWY_LANES(Number) < 8 ? HWY_LANES(Number) : 8;
+    for (std::size_t i = 0; i < kMostOfFan; i += kStep)
+        hn::BlendedStore(valueAt(kTag, i), hn::FirstN(kTag, count > i ? count - i : 0), kTag, to + i);
+}
+
+void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const float* records,
+                           std::size_t toNextBox, const SliceTarget& target)
+{
+    for (const CutSections::Section& section : sections) {
+        const std::size_t count = section.records;
+        StackCount& next = target.next[static_cast<std::size_t>(section.box) * toNextBox +
+                                       static_cast<std::size_t>(section.sample) * target.stride];
+        const std::uint32_t first = recordsOf(next);
+        float* record = target.records + std::size_t{3} * first;
+        std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(next);
+        next += countOfPolygon(count);
+        if (3 * count <= kMostOfFan) {
+            writeFirst([records](auto tag, std::size_t i) HWY_ATTR { return hn::LoadU(tag, records + i); },
+                       3 * count, record);
+            writeFirst(
+                [first](auto tag, std::size_t i) HWY_ATTR {
+                    return hn::Add(hn::Set(tag, first), hn::LoadU(tag, kFans.numbers.data() + i));
+                },
+                3 * (count - 2), index);
+        } else {
+            std::copy_n(records, 3 * count, record);
+            for (std::uint32_t i = 1; i + 1 < count; ++i)
+                for (const std::uint32_t corner : {i, i + 1, 0u})
+                    *index++ = first + corner;
+        }
+        records += 3 * count;
+    }
+}
+
 void writePositionsOfTarget(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
 {
     for (const SlicedTetra& item : slices.tetras) {
@@ -326,6 +380,7 @@ namespace vo {
 
 HWY_EXPORT(writeSlicesOfTarget);
 HWY_EXPORT(writePositionsOfTarget);
+HWY_EXPORT(writeSectionsOfTarget);
 
 void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                  std::vector<float>& scratch)
@@ -336,6 +391,12 @@ void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const Sli
 void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
 {
     HWY_DYNAMIC_DISPATCH(writePositionsOfTarget)(slices, planes, target);
+}
+
+void writeSections(std::span<const CutSections::Section> sections, const float* records,
+                   std::size_t toNextBox, const SliceTarget& target)
+{
+    HWY_DYNAMIC_DISPATCH(writeSectionsOfTarget)(sections, records, toNextBox, target);
 }
 
 } // namespace vo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "polygonize/cut_sections.h"
 #include "polygonize/sampling_planes.h"
 
 #include <array>
@@ -91,5 +92,9 @@ struct TetraSlices
 
 /// The same for many; target.next belongs to the first box.
 void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target);
+
+/// Copies sections of bare positions; CutSections::kBeyond numbers behind their records are read.
+void writeSections(std::span<const CutSections::Section> sections, const float* records,
+                   std::size_t toNextBox, const SliceTarget& target);
 
 } // namespace vo
