@@ -411,6 +411,27 @@ TEST_F(RealMeshes, fireOfHexahedra)
     EXPECT_EQ(mesh->pointFields.at(1).components, 3);
 }
 
+TEST_F(RealMeshes, fireThatShipsIsThatOfItsSource)
+{
+    const std::string path = VOLUMIZER_SOURCE_DIR "/data/meshes/fire.vtu";
+    EXPECT_LT(std::filesystem::file_size(path), 300'000u);
+    const auto mesh = vo::readMesh(path);
+    ASSERT_TRUE(mesh) << mesh.failure().text;
+    EXPECT_EQ(mesh->points.size(), 12323u);
+    EXPECT_EQ(mesh->cellCount(), 10462u);
+    EXPECT_EQ(mesh->counts.skipped(), 0) << mesh->counts.text();
+    ASSERT_EQ(mesh->pointFields.size(), 1u);
+    EXPECT_EQ(mesh->pointFields[0].name, "t");
+    EXPECT_NEAR(range(mesh->pointFields[0]).first, 298, 1);
+    EXPECT_NEAR(range(mesh->pointFields[0]).second, 692, 1);
+    const auto source = read("packaged/mayavi2/fire_ug.vtu");
+    if (!source && source.failure().text.empty()) GTEST_SKIP() << "fire_ug.vtu is not there";
+    ASSERT_TRUE(source) << source.failure().text;
+    EXPECT_EQ(mesh->points, source->points);
+    EXPECT_EQ(mesh->corners, source->corners);
+    EXPECT_EQ(mesh->pointFields[0].values, source->pointFields.at(0).values);
+}
+
 TEST_F(RealMeshes, viewOfTetrahedra)
 {
     const auto mesh = read("packaged/gmsh-doc/view3.pos.gz");
