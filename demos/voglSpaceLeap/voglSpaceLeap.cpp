@@ -150,6 +150,8 @@ static double countFragments(VoglPolygons& slices)
 
 void my_Cleanup(voIndexedTetraSet* aTetraSet, voBrickSetCollection*)
 {
+    if (polygons->getSamplesNumber() == 0)
+        polygons->polygonize(); // the library's engines keep theirs to themselves
     const double drawn = countFragments(*polygons);
     voIndexedTetraSet* wholeBox = voglBox(volume);
     {
