@@ -7,7 +7,7 @@ file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_
 file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 
 # The libraries and their headers.
-install(TARGETS vo vout ifl EXPORT volumizer-targets)
+install(TARGETS vo vout vo_x3d ifl EXPORT volumizer-targets)
 install(TARGETS volumizer_dicom LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/vo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
 
@@ -29,8 +29,8 @@ write_basic_package_version_file(volumizer-config-version.cmake COMPATIBILITY Sa
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/volumizer-config-version.cmake DESTINATION ${package_dir})
 
-# pkg-config volumizer, volumizer-vout, volumizer-ifl
-foreach(package volumizer volumizer-vout volumizer-ifl)
+# pkg-config volumizer, volumizer-vout, volumizer-x3d, volumizer-ifl
+foreach(package volumizer volumizer-vout volumizer-x3d volumizer-ifl)
     configure_file(cmake/${package}.pc.in ${package}.pc @ONLY)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${package}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "x3d/scene.h"
+
+namespace vo {
+
+/// Adds messages on what a scene needs and does not have: files that urls name, and components that its
+/// profile does not bring.
+void checkScene(Scene& scene);
+
+} // namespace vo

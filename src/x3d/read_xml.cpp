@@ -1,0 +1,216 @@
+#include "x3d/read_encodings.h"
+
+#include <pugixml.hpp>
+
+#include "x3d/printable_word.h"
+#include "x3d/text_lines.h"
+#include "x3d/value_text.h"
+
+namespace vo {
+namespace {
+
+/// Attributes that are no fields.
+bool isPlainAttribute(std::string_view name)
+{
+    return name == "DEF" || name == "USE" || name == "containerField" || name == "class" || name == "id" ||
+           name == "style" || name.starts_with("xmlns") || name.find(':') != name.npos;
+}
+
+class XmlReader
+{
+public:
+    XmlReader(std::string_view text, SceneBuilder& builder) : text_(text), lines_(text), builder_(builder) {}
+
+    void read()
+    {
+        if (!parse()) return;
+        const pugi::xml_node top = document_.document_element();
+        if (std::string_view(top.name()) != "X3D")
+            return builder_.giveUp(lineOf(top), "expected the element X3D, found " + quotedWord(top.name()));
+        readTop(top);
+        for (const pugi::xml_node part : top.children()) {
+            const std::string_view name = part.name();
+            if (name == "head")
+                readHead(part);
+            else if (name == "Scene")
+                readContent(part);
+            else if (part.type() == pugi::node_element)
+                builder_.warn(lineOf(part), "unknown element " + quotedWord(name) + " skipped");
+        }
+        if (!top.child("Scene")) builder_.wrong(lineOf(top), "expected an element Scene in X3D, found none");
+    }
+
+private:
+    bool parse()
+    {
+        const auto parsed = document_.load_buffer(
+            text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
+        if (!parsed) {
+            const auto place =
+                std::min(text_.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, parsed.offset)));
+            builder_.giveUp(lines_.lineAt(place),
+                            std::string("expected XML, found: ") + parsed.description());
+            return false;
+        }
+        for (const pugi::xml_node part : document_.children())
+            if (part.type() == pugi::node_doctype &&
+                std::string_view(part.value()).find('[') != std::string_view::npos) {
+                builder_.giveUp(lines_.lineAt(text_.find("<!DOCTYPE")),
+                                "expected a DOCTYPE without declarations: entities are not read");
+                return false;
+            }
+        return true;
+    }
+
+    int lineOf(const pugi::xml_node& node) const
+    {
+        return lines_.lineAt(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
+    }
+
+    /// The text of an attribute between its quotes, as it stands in the file. pugixml does not tell where.
+    std::string_view rawValue(const pugi::xml_attribute& wanted, const pugi::xml_node& node) const
+    {
+        std::size_t at = static_cast<std::size_t>(node.offset_debug()) + std::string_view(node.name()).size();
+        for (const pugi::xml_attribute attribute : node.attributes()) {
+            const std::size_t from = text_.find_first_of("\"'", at);
+            if (from == text_.npos) break;
+            const std::size_t to = text_.find(text_[from], from + 1);
+            if (to == text_.npos) break;
+            if (attribute == wanted) return text_.substr(from + 1, to - from - 1);
+            at = to + 1;
+        }
+        return text_.substr(text_.size());
+    }
+    int lineOf(const pugi::xml_attribute& attribute, const pugi::xml_node& node, std::size_t inside = 0) const
+    {
+        const std::string_view raw = rawValue(attribute, node);
+        if (raw.empty() && std::string_view(attribute.value()).size() > 0) return lineOf(node);
+        return lines_.lineAt(static_cast<std::size_t>(raw.data() - text_.data()) +
+                             std::min(inside, raw.size()));
+    }
+
+    void readTop(const pugi::xml_node& top)
+    {
+        if (const auto version = top.attribute("version"))
+            builder_.setVersion(version.value(), lineOf(version, top));
+        else
+            builder_.warn(lineOf(top), "expected a version of X3D, found none, taken as 4.0");
+        if (const auto profile = top.attribute("profile"))
+            builder_.header.profile = profile.value();
+        else
+            builder_.warn(lineOf(top), "expected a profile of X3D, found none, taken as Full");
+    }
+
+    void readHead(const pugi::xml_node& head)
+    {
+        for (const pugi::xml_node part : head.children()) {
+            const std::string_view name = part.name();
+            if (name == "component")
+                builder_.header.components.push_back(
+                    {part.attribute("name").value(), part.attribute("level").as_int(1), lineOf(part)});
+            else if (name == "meta")
+                builder_.header.metas.push_back(
+                    {part.attribute("name").value(), part.attribute("content").value()});
+            else if (part.type() == pugi::node_element)
+                builder_.warn(lineOf(part), "unknown element " + quotedWord(name) + " skipped");
+        }
+    }
+
+    /// The nodes and routes in an element.
+    void readContent(const pugi::xml_node& parent)
+    {
+        for (const pugi::xml_node part : parent.children()) {
+            if (builder_.gaveUp()) return;
+            if (part.type() != pugi::node_element) {
+                if (part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata)
+                    builder_.warn(lineOf(parent), "text in " + quotedWord(parent.name()) + " skipped");
+                continue;
+            }
+            if (std::string_view(part.name()) == "ROUTE")
+                readRoute(part);
+            else
+                readNode(part);
+        }
+    }
+
+    void readRoute(const pugi::xml_node& route)
+    {
+        builder_.route(route.attribute("fromNode").value(), route.attribute("fromField").value(),
+                       route.attribute("toNode").value(), route.attribute("toField").value(), lineOf(route));
+    }
+
+    void readNode(const pugi::xml_node& element)
+    {
+        const int line = lineOf(element);
+        const NodeType* const type = builder_.typeOf(element.name(), line);
+        if (!type) return skipNames(element);
+        const std::string_view container = element.attribute("containerField").value();
+        if (const auto use = element.attribute("USE")) {
+            if (Node* const node = builder_.use(use.value(), line)) attachUsed(*node, *type, container, line);
+            return;
+        }
+        Node* const node = builder_.begin(*type, element.name(), element.attribute("DEF").value(), line);
+        if (!node) return;
+        for (const pugi::xml_attribute attribute : element.attributes())
+            if (!isPlainAttribute(attribute.name())) readField(attribute, element);
+        readContent(element);
+        builder_.end();
+        if (!builder_.gaveUp()) builder_.attach(*node, container, line);
+    }
+
+    void attachUsed(Node& node, const NodeType& type, std::string_view container, int line)
+    {
+        if (&node.type() != &type)
+            builder_.wrong(line, "USE of the " + node.typeName() + " " + quotedWord(node.name) + " as " +
+                                     type.name(builder_.edition()));
+        else
+            builder_.attach(node, container, line);
+    }
+
+    void readField(const pugi::xml_attribute& attribute, const pugi::xml_node& element)
+    {
+        const FieldRow* const row = builder_.rowToSet(attribute.name(), lineOf(attribute, element));
+        if (!row) return;
+        FieldValue value;
+        ValueError error;
+        std::string remark;
+        const bool isRead = parseAttribute(*row, attribute.value(), value, error, remark);
+        const int line = lineOf(attribute, element, isRead ? 0 : error.at);
+        const std::string what = builder_.current().typeName() + "." + row->name + ": ";
+        if (!isRead) return builder_.wrong(line, what + error.text);
+        if (!remark.empty()) builder_.warn(line, what + remark);
+        builder_.set(*row, std::move(value), line);
+    }
+
+    /// What uses a name in an element that was skipped is skipped too.
+    void skipNames(const pugi::xml_node& element)
+    {
+        struct Names : pugi::xml_tree_walker
+        {
+            explicit Names(SceneBuilder& target) : builder(target) {}
+            bool for_each(pugi::xml_node& node) override
+            {
+                if (const auto name = node.attribute("DEF")) builder.skipName(name.value());
+                return true;
+            }
+            SceneBuilder& builder;
+        } names(builder_);
+        pugi::xml_node top = element;
+        names.for_each(top);
+        top.traverse(names);
+    }
+
+    std::string_view text_;
+    TextLines lines_;
+    SceneBuilder& builder_;
+    pugi::xml_document document_;
+};
+
+} // namespace
+
+void readXml(std::string_view text, SceneBuilder& builder)
+{
+    XmlReader(text, builder).read();
+}
+
+} // namespace vo
