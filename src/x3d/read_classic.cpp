@@ -118,8 +118,8 @@ public:
         while (!builder_.gaveUp() && lexer_.peek().kind != Lexer::Kind::end) {
             const Lexer::Token& next = lexer_.peek();
             if (next.is("PROFILE")) {
-                lexer_.take();
-                builder_.header.profile = lexer_.take().text;
+                const int line = lexer_.take().line;
+                builder_.setProfile(lexer_.take().text, line);
                 hasProfile = true;
             } else if (next.is("COMPONENT")) {
                 readComponent();
@@ -166,7 +166,7 @@ private:
             builder_.wrong(line,
                            "COMPONENT: expected a name, a colon and a level, found " + quotedWord(word));
         else
-            builder_.header.components.push_back({std::string(word.substr(0, colon)), level, line});
+            builder_.addComponent(word.substr(0, colon), level, line);
     }
 
     void expected(const std::string& what)

@@ -96,7 +96,7 @@ private:
         else
             builder_.warn(lineOf(top), "expected a version of X3D, found none, taken as 4.0");
         if (const auto profile = top.attribute("profile"))
-            builder_.header.profile = profile.value();
+            builder_.setProfile(profile.value(), lineOf(profile, top));
         else
             builder_.warn(lineOf(top), "expected a profile of X3D, found none, taken as Full");
     }
@@ -106,8 +106,8 @@ private:
         for (const pugi::xml_node part : head.children()) {
             const std::string_view name = part.name();
             if (name == "component")
-                builder_.header.components.push_back(
-                    {part.attribute("name").value(), part.attribute("level").as_int(1), lineOf(part)});
+                builder_.addComponent(part.attribute("name").value(), part.attribute("level").as_int(1),
+                                      lineOf(part));
             else if (name == "meta")
                 builder_.header.metas.push_back(
                     {part.attribute("name").value(), part.attribute("content").value()});

@@ -67,8 +67,25 @@ void SceneBuilder::setVersion(std::string_view version, int line)
         edition_ = Edition::x3d40;
         return;
     }
-    header.version = version;
+    header.version = std::to_string(major) + "." + std::to_string(minor);
     edition_ = editionOfVersion(major, minor);
+}
+
+void SceneBuilder::setProfile(std::string_view name, int line)
+{
+    if (isNodeName(name))
+        header.profile = name;
+    else
+        wrong(line, "expected the name of a profile, found " + quotedWord(name));
+}
+
+void SceneBuilder::addComponent(std::string_view name, int level, int line)
+{
+    if (isNodeName(name) && level > 0)
+        header.components.push_back({std::string(name), level, line});
+    else
+        wrong(line, "expected the name of a component and a level above 0, found " + quotedWord(name) +
+                        " and " + std::to_string(level));
 }
 
 const NodeType* SceneBuilder::typeOf(std::string_view name, int line)
@@ -99,8 +116,10 @@ Node* SceneBuilder::begin(const NodeType& type, std::string_view typeName, std::
 void SceneBuilder::giveName(Node& node, std::string_view name, int line)
 {
     if (!isNodeName(name)) return wrong(line, "expected a name for DEF, found " + quotedWord(name));
-    if (names_.contains(name))
-        warn(line, "the name " + quotedWord(name) + " is given twice; from here on to this node");
+    if (const auto before = names_.find(name); before != names_.end()) {
+        warn(line, "the name " + quotedWord(name) + " is given twice; from here on it is this node's alone");
+        before->second->name.clear();
+    }
     node.name = name;
     names_[node.name] = &node;
     if (scope_ == 0) scene_.names[node.name] = &node;

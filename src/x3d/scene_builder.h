@@ -27,6 +27,8 @@ public:
     /// The version of the file, "3.3", which decides its edition.
     void setVersion(std::string_view version, int line);
     Edition edition() const { return edition_; }
+    void setProfile(std::string_view name, int line);
+    void addComponent(std::string_view name, int level, int line);
     SceneHeader header;
 
     /// The type of a node that is known; NULL after a warning.
