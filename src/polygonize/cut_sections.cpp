@@ -10,7 +10,9 @@
 #include "polygonize/box_lattice.h"
 #include "polygonize/tetra_sections.h"
 
+#include <algorithm>
 #include <bit>
+#include <tuple>
 
 HWY_BEFORE_NAMESPACE();
 namespace vo {
@@ -248,13 +250,19 @@ public:
             const int last = std::min(begin + kBatch, end);
             for (int sample = begin; sample < last; ++sample)
                 slice(planes, sample, batch_[sample - begin]);
-            for (sample_ = begin; sample_ < last; ++sample_) {
-                const std::size_t sections = sections_.sections.size(), records = sections_.records.size();
-                if (cutSection(batch_[sample_ - begin])) continue;
-                sections_.sections.resize(sections);
-                sections_.records.resize(records);
-                return sample_;
+            makeRoom();
+            bool good = true;
+            for (sample_ = begin; sample_ < last && good; ++sample_) {
+                CutSections::Section* const section = section_;
+                float* const record = record_;
+                good = cutSection(batch_[sample_ - begin]);
+                if (good) continue;
+                section_ = section;
+                record_ = record;
             }
+            sections_.sections.resize(static_cast<std::size_t>(section_ - sections_.sections.data()));
+            sections_.records.resize(static_cast<std::size_t>(record_ - sections_.records.data()));
+            if (!good) return sample_ - 1;
         }
         return end;
     }
@@ -539,14 +547,21 @@ private:
                                   records + kAxes * i * kLanes);
     }
 
+    /// For all that a batch may give.
+    HWY_INLINE void makeRoom()
+    {
+        constexpr std::size_t kMostParts = kBatch * std::tuple_size_v<decltype(BoxesNearby::box)>;
+        section_ = sections_.sections.grow(kMostParts);
+        record_ = sections_.records.grow(kMostParts * kAxes * kMostVertices);
+    }
+
     /// Where a section's records go; there is room for those of kMostVertices.
     HWY_INLINE float* append(std::int32_t box, unsigned count)
     {
-        *sections_.sections.grow(1) = {box, sample_, count};
-        const std::size_t used = sections_.records.size();
-        sections_.records.resize(used + kAxes * kMostVertices);
-        sections_.records.resize(used + kAxes * count);
-        return sections_.records.data() + used;
+        *section_++ = {box, sample_, count};
+        float* const records = record_;
+        record_ += kAxes * count;
+        return records;
     }
 
     const TetraSections& tetra_;
@@ -555,6 +570,8 @@ private:
     static constexpr std::int32_t kNoInterval = -1;
     std::array<std::array<std::int32_t, BoxesNearby::kMostFaces + 1>, 3> regions_; ///< their intervals
     bool overlap_ = false;                                                         ///< of intervals
+    CutSections::Section* section_ = nullptr;                                      ///< the next one
+    float* record_ = nullptr;                                                      ///< and its records
     int sample_ = 0;
     unsigned mask_ = 0;  ///< the corners in front, whose
     unsigned count_ = 0; ///< edges are these

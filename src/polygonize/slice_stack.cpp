@@ -26,8 +26,8 @@ namespace {
 constexpr std::size_t kTetrasInPart = 2048;
 constexpr std::size_t kMostParts = 64;
 constexpr std::size_t kVerticesInPart = 8192;
-/// Counters of all parts together.
-constexpr std::size_t kMostCounters = std::size_t{1} << 23;
+/// Counters of all parts together; one thread goes through them.
+constexpr std::size_t kMostCounters = std::size_t{1} << 19;
 
 /// Of each axis: what intervalAt() says of a vertex.
 using Intervals = std::array<std::int32_t, 3>;
