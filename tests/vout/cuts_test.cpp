@@ -227,6 +227,41 @@ TEST(VoutCuts, cornersOfThreePlanesAreExact)
     }
 }
 
+TEST(VoutCuts, manyPlanesLeaveAConformingWhole)
+{
+    std::mt19937 random(9);
+    std::uniform_real_distribution<float> number(-1, 1);
+    for (int round = 0; round < 60; ++round) {
+        const Set set = boxes(2, 2, 2, std::array{5, 6, 24}[std::size_t(round % 3)], 8);
+        std::vector<Plane> planes;
+        for (int i = 0; i < 2 + round % 9; ++i) {
+            Plane plane{number(random), number(random), number(random), 0};
+            if (round % 4 == 0) // through vertices and along rows of them
+                for (float& value : plane)
+                    value = std::round(2 * value);
+            if (round % 5 == 0 && i > 0) // hardly apart in direction
+                for (std::size_t axis = 0; axis < 3; ++axis)
+                    plane[axis] = planes.back()[axis] + std::ldexp(number(random), round % 12 - 16);
+            if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0) plane[0] = 1;
+            plane[3] = float(
+                -distanceTo(plane, {8 + 6 * number(random), 8 + 6 * number(random), 8 + 6 * number(random)}));
+            if (round % 4 == 0) plane[3] = std::round(plane[3]);
+            planes.push_back(plane);
+        }
+        SCOPED_TRACE("round " + std::to_string(round));
+        Tetras in = insideOf(set.get(), planes);
+        const Tetras out = outsideOf(set.get(), planes);
+        EXPECT_EQ(wrongHandedness(in) + wrongHandedness(out) + unmatchedFaces(in) + unmatchedFaces(out), "");
+        EXPECT_NEAR(volumeOf(in) + volumeOf(out), 4096, 4096e-9);
+        for (const Plane& plane : planes)
+            for (int vertex = 0; vertex < int(in.records.size()); ++vertex)
+                EXPECT_GE(distanceTo(plane, in.position(vertex)), -4e-5);
+        in.append(out);
+        EXPECT_EQ(unmatchedFaces(in), "");
+        EXPECT_NEAR(areaOf(in), 6 * 256, 1e-3);
+    }
+}
+
 TEST(VoutCuts, boxesAreCutOutAndCutAway)
 {
     std::mt19937 random(5);
