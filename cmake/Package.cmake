@@ -6,6 +6,13 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/volumizer)
 file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
 file(RELATIVE_PATH pkgconfig_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 
+# Which licence the installed libvout comes under, for whoever links it; DOCDIR has the texts.
+if(VOLUMIZER_CGAL)
+    set(vout_licence "GPL-3.0-or-later: it has CGAL in it")
+else()
+    set(vout_licence "MIT")
+endif()
+
 # The libraries and their headers.
 install(TARGETS vo vout vo_x3d ifl EXPORT volumizer-targets)
 install(TARGETS volumizer_dicom LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
@@ -20,6 +27,8 @@ endforeach()
 install(DIRECTORY docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 FILES_MATCHING PATTERN "*.1")
 install(DIRECTORY data/tables DESTINATION ${CMAKE_INSTALL_DATADIR}/volumizer)
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/LICENSE.libvout "The licence of this libvout is ${vout_licence}.\nLICENSE says more.\n")
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/LICENSE.libvout DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN man EXCLUDE)
 
 # find_package(Volumizer)

@@ -11,6 +11,8 @@ packages=(
     g++ cmake ninja-build make pkg-config
     # the library: vectors, the generator of the OpenGL loader, GL/gl.h, SIMD, threads
     libglm-dev python3-glad libgl-dev libhwy-dev libtbb-dev
+    # tetrahedra of closed surfaces
+    libcgal-dev
     # files
     libtiff-dev libpng-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev libpugixml-dev
     # demos: windows; drawing without a window or a graphics card

@@ -31,7 +31,7 @@ def run(*command, **options):
 def install(build, prefix):
     run("cmake", "--install", build, "--prefix", prefix, stdout=subprocess.DEVNULL)
     for path in ("bin/mkcubes", "include/vo/Volumizer.h", "include/vo/CompatNames.h",
-                 "include/vo/compat/iostream.h", "include/vo/compat/ifl/iflFile.h", "share/volumizer/tables", "share/man/man1"):
+                 "include/vo/compat/iostream.h", "include/vo/utClosedSurface.h", "include/vo/compat/ifl/iflFile.h", "share/volumizer/tables", "share/man/man1"):
         if not os.path.exists(os.path.join(prefix, path)):
             raise AssertionError(f"{path} was not installed")
     run(os.path.join(prefix, "bin/mkcubes"), "8", "8", "8", "4", os.path.join(prefix, "cubes.tif"))

@@ -44,15 +44,6 @@ Face otherSide(const Face& face)
     return {face[0], face[2], face[1]};
 }
 
-std::vector<Face> boundary(const Tetras& tetras)
-{
-    const std::multiset<Face> faces = allFaces(tetras);
-    std::vector<Face> outer;
-    for (const Face& face : faces)
-        if (!faces.contains(otherSide(face))) outer.push_back(face);
-    return outer;
-}
-
 double sixfold(const Tetras& tetras, const std::array<int, 4>& t)
 {
     const glm::dvec3 a = tetras.position(t[0]);
@@ -99,6 +90,15 @@ bool areApart(const Points& a, const Points& b, double tolerance)
 }
 
 } // namespace
+
+std::vector<Face> boundaryFaces(const Tetras& tetras)
+{
+    const std::multiset<Face> faces = allFaces(tetras);
+    std::vector<Face> outer;
+    for (const Face& face : faces)
+        if (!faces.contains(otherSide(face))) outer.push_back(face);
+    return outer;
+}
 
 glm::dvec3 Tetras::position(int vertex) const
 {
@@ -156,7 +156,7 @@ double volumeOf(const Tetras& tetras)
 double areaOf(const Tetras& tetras)
 {
     double sum = 0;
-    for (const Face& face : boundary(tetras)) {
+    for (const Face& face : boundaryFaces(tetras)) {
         const glm::dvec3 a = tetras.position(face[0]);
         sum += glm::length(glm::cross(tetras.position(face[1]) - a, tetras.position(face[2]) - a)) / 2;
     }
@@ -186,7 +186,7 @@ double smallestDihedral(const Tetras& tetras)
 std::vector<int> boundaryVertices(const Tetras& tetras)
 {
     std::set<int> vertices;
-    for (const Face& face : boundary(tetras))
+    for (const Face& face : boundaryFaces(tetras))
         vertices.insert(face.begin(), face.end());
     return {vertices.begin(), vertices.end()};
 }

@@ -37,7 +37,10 @@ double areaOf(const Tetras& tetras);
 /// The angle between two of its faces in degrees, the smallest one.
 double smallestDihedral(const Tetras& tetras);
 
-/// Vertices of the faces that belong to one tetrahedron only, each once.
+/// The faces that belong to one tetrahedron only, counter-clockwise as seen from outside.
+std::vector<std::array<int, 3>> boundaryFaces(const Tetras& tetras);
+
+/// Vertices of these faces, each once.
 std::vector<int> boundaryVertices(const Tetras& tetras);
 
 // Each answers what is wrong, or an empty text.
