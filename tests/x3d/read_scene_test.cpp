@@ -246,7 +246,7 @@ TEST(ReadScene, onlyX3dIsRead)
     EXPECT_EQ(first("#VRML V2.0 utf8\nGroup {}"),
               "s:1: error: expected \"#X3D V3.0 utf8\" or a later version, found VRML, which is not read\n");
     EXPECT_EQ(first("<html/>"), "s:1: error: expected the element X3D, found \"html\"\n");
-    EXPECT_EQ(first(std::string("#X3D V3.0 utf8\nPROFILE Full\nGroup {\0}", 40)),
+    EXPECT_EQ(first("#X3D V3.0 utf8\nPROFILE Full\nGroup {" + std::string(1, '\0') + "}"),
               "s:3: error: expected text in UTF-8, found a zero byte\n");
     EXPECT_EQ(first("<?xml version='1.0'?>\n<!DOCTYPE X3D [<!ENTITY e SYSTEM 'file:///etc/passwd'>]>\n<X3D "
                     "version='4.0' "
