@@ -51,7 +51,8 @@ void checkUrls(Scene& scene, const Node& node, const FieldRow& row)
     for (const std::string& url : *urls) {
         const auto place = scene.locate(node, url);
         if (place.reason.empty()) return;
-        if (reasons.size() < 400) reasons += (reasons.empty() ? "" : "; ") + place.reason;
+        reasons += (reasons.empty() ? "" : "; ") + place.reason;
+        if (reasons.size() > 400) break;
     }
     warnAt(scene, node.place, node.typeName() + "." + row.name + ": " + reasons);
 }

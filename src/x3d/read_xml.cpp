@@ -1,5 +1,6 @@
 #include "x3d/read_encodings.h"
 
+#include <algorithm>
 #include <pugixml.hpp>
 
 #include "x3d/printable_word.h"
@@ -15,6 +16,31 @@ bool isPlainAttribute(std::string_view name)
     return name == "DEF" || name == "USE" || name == "containerField" || name == "class" || name == "id" ||
            name == "style" || name.starts_with("xmlns") || name.find(':') != name.npos;
 }
+
+/// The attributes of an element as they stand in the file, one after the other: pugixml does not tell where.
+class AttributeTexts
+{
+public:
+    AttributeTexts(std::string_view text, const pugi::xml_node& element)
+        : text_(text),
+          at_(static_cast<std::size_t>(element.offset_debug()) + std::string_view(element.name()).size())
+    {
+    }
+
+    /// What stands between the quotes of the next one.
+    std::string_view next()
+    {
+        const std::size_t from = text_.find_first_of("\"'", at_);
+        const std::size_t to = from == text_.npos ? from : text_.find(text_[from], from + 1);
+        if (to == text_.npos) return text_.substr(std::min(at_, text_.size()));
+        at_ = to + 1;
+        return text_.substr(from + 1, to - from - 1);
+    }
+
+private:
+    std::string_view text_;
+    std::size_t at_;
+};
 
 class XmlReader
 {
@@ -67,24 +93,9 @@ private:
         return lines_.lineAt(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
     }
 
-    /// The text of an attribute between its quotes, as it stands in the file. pugixml does not tell where.
-    std::string_view rawValue(const pugi::xml_attribute& wanted, const pugi::xml_node& node) const
+    /// A place in the text between the quotes of an attribute.
+    int lineIn(std::string_view raw, std::size_t inside = 0) const
     {
-        std::size_t at = static_cast<std::size_t>(node.offset_debug()) + std::string_view(node.name()).size();
-        for (const pugi::xml_attribute attribute : node.attributes()) {
-            const std::size_t from = text_.find_first_of("\"'", at);
-            if (from == text_.npos) break;
-            const std::size_t to = text_.find(text_[from], from + 1);
-            if (to == text_.npos) break;
-            if (attribute == wanted) return text_.substr(from + 1, to - from - 1);
-            at = to + 1;
-        }
-        return text_.substr(text_.size());
-    }
-    int lineOf(const pugi::xml_attribute& attribute, const pugi::xml_node& node, std::size_t inside = 0) const
-    {
-        const std::string_view raw = rawValue(attribute, node);
-        if (raw.empty() && std::string_view(attribute.value()).size() > 0) return lineOf(node);
         return lines_.lineAt(static_cast<std::size_t>(raw.data() - text_.data()) +
                              std::min(inside, raw.size()));
     }
@@ -92,11 +103,11 @@ private:
     void readTop(const pugi::xml_node& top)
     {
         if (const auto version = top.attribute("version"))
-            builder_.setVersion(version.value(), lineOf(version, top));
+            builder_.setVersion(version.value(), lineOf(top));
         else
             builder_.warn(lineOf(top), "expected a version of X3D, found none, taken as 4.0");
         if (const auto profile = top.attribute("profile"))
-            builder_.setProfile(profile.value(), lineOf(profile, top));
+            builder_.setProfile(profile.value(), lineOf(top));
         else
             builder_.warn(lineOf(top), "expected a profile of X3D, found none, taken as Full");
     }
@@ -151,8 +162,11 @@ private:
         }
         Node* const node = builder_.begin(*type, element.name(), element.attribute("DEF").value(), line);
         if (!node) return;
-        for (const pugi::xml_attribute attribute : element.attributes())
-            if (!isPlainAttribute(attribute.name())) readField(attribute, element);
+        AttributeTexts texts(text_, element);
+        for (const pugi::xml_attribute attribute : element.attributes()) {
+            const std::string_view raw = texts.next();
+            if (!isPlainAttribute(attribute.name())) readField(attribute, raw);
+        }
         readContent(element);
         builder_.end();
         if (!builder_.gaveUp()) builder_.attach(*node, container, line);
@@ -167,15 +181,15 @@ private:
             builder_.attach(node, container, line);
     }
 
-    void readField(const pugi::xml_attribute& attribute, const pugi::xml_node& element)
+    void readField(const pugi::xml_attribute& attribute, std::string_view raw)
     {
-        const FieldRow* const row = builder_.rowToSet(attribute.name(), lineOf(attribute, element));
+        const FieldRow* const row = builder_.rowToSet(attribute.name(), lineIn(raw));
         if (!row) return;
         FieldValue value;
         ValueError error;
         std::string remark;
         const bool isRead = parseAttribute(*row, attribute.value(), value, error, remark);
-        const int line = lineOf(attribute, element, isRead ? 0 : error.at);
+        const int line = lineIn(raw, isRead ? 0 : error.at);
         const std::string what = builder_.current().typeName() + "." + row->name + ": ";
         if (!isRead) return builder_.wrong(line, what + error.text);
         if (!remark.empty()) builder_.warn(line, what + remark);

@@ -170,6 +170,27 @@ TEST(ReadScene, deepNestingIsRefused)
         "s.x3dv:3: error: expected } or ] of what is skipped from line 3 on, found the end of the file\n");
 }
 
+TEST(ReadScene, muchOfOneKindTakesNoTimeThatGrowsWithItsSquare)
+{
+    // Each of these took minutes if every part looked at all others.
+    constexpr int kMany = 200000;
+    std::string attributes, nodes, uses = "<Group DEF='G'/>", urls;
+    for (int i = 0; i < kMany; ++i) {
+        attributes += " a" + std::to_string(i) + "='1'";
+        nodes += "<Group DEF='N" + std::to_string(i) + "'/>";
+        uses += "<Group USE='G'/>";
+        urls += "\"gone.x3d\" ";
+    }
+    Scene scene;
+    EXPECT_TRUE(readSceneText(
+        scene, kXmlStart + ("<Group" + attributes + ">") + nodes + uses + "</Group></Scene></X3D>", "s"));
+    EXPECT_EQ(scene.messages.size(), 1000u);
+    EXPECT_EQ(scene.messagesLeftOut, kMany - 1000u);
+    EXPECT_EQ(scene.nodeCount(), kMany + 2u);
+    EXPECT_NE(ofXml("<Inline url='" + urls + "'/>"), "");
+    EXPECT_NE(ofClassic("Teapot { a [ " + std::string(kMany, '{') + std::string(kMany, '}') + " ] }"), "");
+}
+
 TEST(ReadScene, lyingSizesOfImagesAreRefused)
 {
     const char* const start = "s.x3d:1: error: PixelTexture3D.image: ";
