@@ -165,6 +165,7 @@ HWY_INLINE Floats weightOf(Ints weight)
 struct ByteSampler
 {
     static constexpr int kChannels = 1;
+    static constexpr std::size_t kCellBytes = 2;
 
     explicit ByteSampler(const GridView& grid)
         : cells_(reinterpret_cast<const std::int32_t*>(grid.cells)),
@@ -224,6 +225,7 @@ private:
 struct ShortSampler
 {
     static constexpr int kChannels = 1;
+    static constexpr std::size_t kCellBytes = 4;
 
     explicit ShortSampler(const GridView& grid)
         : cells_(reinterpret_cast<const std::int32_t*>(grid.cells)), slicePitch_(grid.slicePitch)
@@ -256,6 +258,7 @@ template <int kNumbers>
 struct FloatSampler
 {
     static constexpr int kChannels = kNumbers;
+    static constexpr std::size_t kCellBytes = std::size_t{4} * kNumbers;
 
     explicit FloatSampler(const GridView& grid)
         : cells_(reinterpret_cast<const float*>(grid.cells)),
