@@ -1,5 +1,7 @@
 #include "cast/empty_blocks.h"
 
+#include "core/parallel.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -42,6 +44,39 @@ void spreadAlong(std::uint8_t* row, int count)
         row[x] = static_cast<std::uint8_t>(std::min<int>(row[x], row[x + 1] + 1));
 }
 
+/// Makes lower bounds of distances out of 0 and others, from the distances between cubes of eight blocks.
+void spreadByEights(const glm::ivec3& count, int threads, std::uint8_t* distance)
+{
+    const glm::ivec3 eights = (count + 1) / 2;
+    const auto numberIn = [](const glm::ivec3& size, int x, int y, int z) {
+        return static_cast<std::size_t>(x) +
+               static_cast<std::size_t>(size.x) *
+                   (static_cast<std::size_t>(y) +
+                    static_cast<std::size_t>(size.y) * static_cast<std::size_t>(z));
+    };
+    constexpr int kFarthestEight = EmptyBlocks::kFarthest / 2;
+    std::vector<std::uint8_t> coarse(numberIn(eights, 0, 0, eights.z), kFarthestEight);
+    const auto rows = [&](std::size_t eightZ, const auto& visit) {
+        const int first = 2 * static_cast<int>(eightZ);
+        for (int z = first; z < std::min(first + 2, count.z); ++z)
+            for (int y = 0; y < count.y; ++y)
+                visit(distance + numberIn(count, 0, y, z), coarse.data() + numberIn(eights, 0, y / 2, z / 2));
+    };
+    parallelFor(static_cast<std::size_t>(eights.z), threads, [&](std::size_t eightZ) {
+        rows(eightZ, [&](const std::uint8_t* own, std::uint8_t* eight) {
+            for (int x = 0; x < count.x; ++x)
+                if (own[x] == 0) eight[x / 2] = 0;
+        });
+    });
+    findBlockDistances(eights, coarse.data());
+    parallelFor(static_cast<std::size_t>(eights.z), threads, [&](std::size_t eightZ) {
+        rows(eightZ, [&](std::uint8_t* own, const std::uint8_t* eight) {
+            for (int x = 0; x < count.x; ++x)
+                if (own[x] != 0) own[x] = static_cast<std::uint8_t>(std::max(2 * eight[x / 2] - 1, 1));
+        });
+    });
+}
+
 } // namespace
 
 void findBlockDistances(const glm::ivec3& count, std::uint8_t* distance)
@@ -67,18 +102,22 @@ void findBlockDistances(const glm::ivec3& count, std::uint8_t* distance)
             take(y, z, 1);
 }
 
-void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlending blending,
+void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlending blending, int threads,
                      EmptyBlocks& blocks)
 {
-    const int channels = grid.view().channels;
+    const auto channels = static_cast<std::size_t>(grid.view().channels);
     const std::span<const float> ranges = grid.blockRanges();
-    const std::size_t count = ranges.size() / static_cast<std::size_t>(2 * channels);
+    const std::size_t count = ranges.size() / (2 * channels);
+    const glm::ivec3 size = grid.blockCount();
+    const auto slice = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     blocks.distance.assign(count + 4, 0);
-    for (std::size_t i = 0; i < count; ++i)
-        if (addsNothing(ranges.data() + i * static_cast<std::size_t>(2 * channels), channels, plan, blending,
-                        grid.view().rawUnit))
-            blocks.distance[i] = EmptyBlocks::kFarthest;
-    findBlockDistances(grid.blockCount(), blocks.distance.data());
+    parallelFor(static_cast<std::size_t>(size.z), threads, [&](std::size_t z) {
+        for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
+            if (addsNothing(ranges.data() + 2 * channels * i, grid.view().channels, plan, blending,
+                            grid.view().rawUnit))
+                blocks.distance[i] = EmptyBlocks::kFarthest;
+    });
+    spreadByEights(size, threads, blocks.distance.data());
 }
 
 } // namespace vo

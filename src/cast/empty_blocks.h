@@ -10,9 +10,9 @@
 
 namespace vo {
 
-/// How far it is from each block of a grid to the next one that may hold something, in blocks along the axis
-/// that is farthest: 0 for those that may. At most kFarthest. A few bytes more follow, for reading four at a
-/// time.
+/// How far it is at least from each block of a grid to the next one that may hold something, in blocks along
+/// the axis that is farthest: 0 for those that may. At most kFarthest. A few bytes more follow, for reading
+/// four at a time.
 struct EmptyBlocks
 {
     static constexpr int kFarthest = 31;
@@ -24,8 +24,8 @@ struct EmptyBlocks
 void findBlockDistances(const glm::ivec3& count, std::uint8_t* distance);
 
 /// Blocks of which every sample adds exactly nothing in this blending (over, sum, alphaSum). Into memory that
-/// is kept.
-void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlending blending,
+/// is kept; in up to `threads` threads.
+void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlending blending, int threads,
                      EmptyBlocks& blocks);
 
 } // namespace vo

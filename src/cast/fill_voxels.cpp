@@ -129,7 +129,8 @@ void FillVoxels::shade(const CastRequest& request)
         if (leavesBlocksOut(blending_))
             parallelFor(samplers_.size(), request.threads, [&](std::size_t i) {
                 if (samplers_[i].grid)
-                    findEmptyBlocks(*samplers_[i].grid, *plans_[planOfSampler_[i]], blending_, blocks_[i]);
+                    findEmptyBlocks(*samplers_[i].grid, *plans_[planOfSampler_[i]], blending_,
+                                    request.threads, blocks_[i]);
             });
         generation_ = store_.generation();
         shaded_ = true;

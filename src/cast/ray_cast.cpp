@@ -49,7 +49,7 @@ void shade(const VoxelGrid& grid, const CastRequest& request, ShadedGrid& shaded
     shaded.shading = request.shading;
     if (request.shading.table) shaded.table = *request.shading.table;
     shaded.blending = request.blending;
-    findEmptyBlocks(grid, shaded.plan, request.blending, shaded.blocks);
+    findEmptyBlocks(grid, shaded.plan, request.blending, request.threads, shaded.blocks);
 }
 
 /// Units of opacity from one sample to the next, where rays are parallel.

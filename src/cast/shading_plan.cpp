@@ -126,7 +126,9 @@ bool ShadingPlan::isZero(int component, float low, float high, float unit) const
         return raw > 0.0f ? std::min(raw * scale, static_cast<float>(last)) : 0.0f;
     };
     const auto first = static_cast<std::size_t>(place(low));
-    const auto end = static_cast<std::size_t>(std::ceil(place(high))) + 1;
+    const float highest = place(high);
+    auto end = static_cast<std::size_t>(highest);
+    end += static_cast<float>(end) < highest ? 2 : 1;
     return notZero[c][end] == notZero[c][first];
 }
 

@@ -19,7 +19,7 @@ namespace vo {
 enum class GridKind { bytes, shorts, floats };
 
 /// Edges of the blocks of cells whose range is known.
-constexpr int kBlockShift = 3;
+constexpr int kBlockShift = 2;
 constexpr int kBlockCells = 1 << kBlockShift;
 
 /// What a sampler needs of a grid. Grid coordinates: voxel (i, j, k) of the grid has its centre at (i + 1,
