@@ -18,7 +18,7 @@ struct SceneLimits
     /// Messages that are kept.
     std::size_t messages = 1000;
     /// Bytes of text, decompressed, in all files.
-    std::int64_t bytes = std::int64_t(1) << 30;
+    std::int64_t bytes = std::int64_t(1) << 28;
     /// Files of Inline nodes, and how many of them inside each other.
     int inlines = 1000;
     int inlineDepth = 20;

@@ -91,7 +91,8 @@ void SceneBuilder::addComponent(std::string_view name, int level, int line)
 const NodeType* SceneBuilder::typeOf(std::string_view name, int line)
 {
     const NodeType* const type = findNodeType(name);
-    if (!type) warn(line, "unknown node " + quotedWord(name) + nodeMeant(name) + " skipped");
+    if (!type)
+        warn(line, "unknown node " + quotedWord(name) + (isFull() ? "" : nodeMeant(name)) + " skipped");
     return type;
 }
 
@@ -130,7 +131,7 @@ const FieldRow* SceneBuilder::rowToSet(std::string_view name, int line)
     const NodeType& type = current().type();
     const FieldRow* const row = type.row(name, edition_);
     if (!row) {
-        warn(line, "unknown field " + quotedWord(name) + fieldMeant(type, name) + " of " +
+        warn(line, "unknown field " + quotedWord(name) + (isFull() ? "" : fieldMeant(type, name)) + " of " +
                        current().typeName() + " skipped");
         return nullptr;
     }

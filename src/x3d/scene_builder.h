@@ -72,6 +72,8 @@ private:
     };
 
     void say(Severity severity, int line, std::string text);
+    /// Whether further messages are only counted, so that what takes time to tell is not looked for.
+    bool isFull() const { return scene_.messages.size() >= limits_.messages; }
     void giveName(Node& node, std::string_view name, int line);
     void settleEdition(OpenNode& open);
     void checkValue(OpenNode& open, const OpenNode::Written& written);
