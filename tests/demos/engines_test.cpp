@@ -43,7 +43,7 @@ protected:
         for (std::string word; line >> word;)
             arguments.push_back(word);
         const vo::ProgramRun run =
-            folder.run(std::string(VOLUMIZER_PROGRAMS) + "/" + GetParam().program, arguments, "VO_DEBUG=2");
+            folder.run(std::string(VOLUMIZER_PROGRAMS "/") + GetParam().program, arguments, "VO_DEBUG=2");
         EXPECT_EQ(run.status, 0) << words << ": " << run.errors;
         told = run.errors;
         const auto picture = vo::readPng(folder / "picture.png");
