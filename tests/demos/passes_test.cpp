@@ -247,6 +247,86 @@ TEST_F(Passes, twoVolumesInterleaveSampleBySample)
     }
 }
 
+// ---- voglJaw
+
+#ifdef VOLUMIZER_CGAL
+
+const dvec3 kPartLower(6.3, 5.6, 4.7), kPartUpper(16.4, 13.8, 12.9);
+
+bool isInPart(const dvec3& point)
+{
+    return glm::all(glm::lessThan(kPartLower, point)) && glm::all(glm::lessThan(point, kPartUpper));
+}
+
+/// A box of triangles.
+void writePart(const std::string& name)
+{
+    std::ofstream file(name);
+    file << "OFF\n8 12 0\n";
+    for (int corner = 0; corner < 8; ++corner)
+        file << (corner & 1 ? kPartUpper : kPartLower).x << " " << (corner & 2 ? kPartUpper : kPartLower).y
+             << " " << (corner & 4 ? kPartUpper : kPartLower).z << "\n";
+    file << "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 "
+            "7\n3 1 7 5\n";
+}
+
+TEST_F(Passes, partAndRestTogetherAreTheVolume)
+{
+    write("volume.tif", blob({24, 20, 18}, 1));
+    writePart(folder / "part.off");
+    writeTable("red.lut", {1, 0, 0, 0}, {1, 0.5, 0.2, 0.3});
+    for (const char* words : {"", " -perspective 40", " -bricks 2 2 2", " -core"}) {
+        const std::string both = "volume.tif -view 20 30 -lutFile red.lut" + std::string(words);
+        const auto whole = draw("voglBasic", both);
+        const auto parts = draw("voglJaw", both + " part.off -partLut red.lut -edge 3");
+        EXPECT_GE(compareDrawn(whole, parts).psnrAll, 50) << words;
+    }
+}
+
+TEST_F(Passes, partsAreDrawnEachThroughItsTableAndWhereItWasMoved)
+{
+    const Field field = blob({24, 20, 18}, 1);
+    write("volume.tif", field);
+    writePart(folder / "part.off");
+    const auto red = writeTable("red.lut", {1, 0, 0, 0}, {1, 0.5, 0.2, 0.3});
+    const auto green = writeTable("green.lut", {0, 1, 0, 0}, {0.5, 1, 0.2, 0.9});
+    const dvec3 shift(4, -3.5, 2.25), size(24, 20, 18);
+    for (const bool isAlone : {false, true}) {
+        const View view = demoView({20, 30}, size, dvec3(1), 1.1, 0);
+        Scene rest = sceneOf(field, red, view), part = sceneOf(field, green, view),
+              all = sceneOf(field, {}, view);
+        all.geometry = boxTetrahedra(kPartLower + shift, kPartUpper + shift);
+        if (!isAlone)
+            for (const Tetrahedron& tetra : boxTetrahedra(dvec3(0), size))
+                all.geometry.push_back(tetra);
+        const ReferencePlanes planes = referencePlanes(all);
+        const auto color = [&](double x, double y) {
+            dvec3 rgb(0);
+            alongRay(rayThrough(view, x, y), planes, [&](const dvec3& point, double) {
+                if (!isAlone && !isInPart(point)) over(rgb, referenceSample(rest, point));
+                if (isInPart(point - shift)) over(rgb, referenceSample(part, point - shift));
+            });
+            return rgb;
+        };
+        // Whether a sample at a face belongs to the part is decided by rounding: masked there.
+        const auto samples = [&](double x, double y) {
+            std::vector<bool> inside;
+            alongRay(rayThrough(view, x, y), planes, [&](const dvec3& point, double) {
+                inside.push_back(isInPart(point));
+                inside.push_back(isInPart(point - shift));
+            });
+            return inside;
+        };
+        expectDrawn(
+            "voglJaw",
+            "volume.tif part.off -view 20 30 -edge 3 -lutFile red.lut -partLut green.lut -move 4 -3.5 2.25" +
+                std::string(isAlone ? " -part" : ""),
+            pictureOf(color, samples), 42);
+    }
+}
+
+#endif
+
 // ---- voglTagged
 
 TEST_F(Passes, eachClassIsDrawnThroughItsTable)
@@ -574,6 +654,8 @@ TEST_F(Passes, wrongArgumentsAreNamedInOneLine)
           {"voglTwo", "volume.tif small.tif -spacing2 0 1 1", "-spacing2"},
           {"voglTwo", "volume.tif small.tif -lutFile2 missing.lut", "missing.lut"},
           {"voglTwo", "volume.tif small.tif -spacing2 1000 1000 1000 -sampling 0.01", "sampling planes"},
+          {"voglJaw", "volume.tif", "expected the files of one volume and one surface"},
+          {"voglJaw", "volume.tif missing.off", "missing.off"},
           {"voglTagged", "volume.tif small.tif", "small.tif"},
           {"voglTagged", "volume.tif shorts.tif", "shorts.tif"},
           {"voglTagged", "volume.tif volume.tif -table 256 a.lut", "-table"},
