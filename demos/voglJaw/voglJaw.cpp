@@ -61,7 +61,6 @@ const VoglProgram voglProgram = {
                 {"part", {}, "draws the part alone", [](vo::Arguments&) { isPartAlone = true; }},
                 {"rest", {}, "draws the rest alone", [](vo::Arguments&) { isRestAlone = true; }}},
     .ownLoop = true,
-    .margin = 1.1,
 };
 
 static VoglVolume volume;
@@ -76,7 +75,7 @@ voBrickSetCollection* my_InitAppearance(int, char** argv)
     surfaceFile = argv[2];
     partLookup.setTint(1, 0.55f, 0.1f);
     partLookup.read(argv[0], partTable, std::nullopt);
-    const bool isColored = voglLookup().renderingMode() == voRenderingModeScope::COLOR ||
+    const bool isColored = readLookupTable(argv[0]) == voRenderingModeScope::COLOR ||
                            partLookup.renderingMode() == voRenderingModeScope::COLOR;
     volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1]),
                             isColored ? voRenderingModeScope::COLOR : voRenderingModeScope::MONOCHROME);

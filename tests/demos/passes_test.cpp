@@ -292,7 +292,7 @@ TEST_F(Passes, partsAreDrawnEachThroughItsTableAndWhereItWasMoved)
     const auto green = writeTable("green.lut", {0, 1, 0, 0}, {0.5, 1, 0.2, 0.9});
     const dvec3 shift(4, -3.5, 2.25), size(24, 20, 18);
     for (const bool isAlone : {false, true}) {
-        const View view = demoView({20, 30}, size, dvec3(1), 1.1, 0);
+        const View view = demoView({20, 30}, size, dvec3(1), 1, 0);
         Scene rest = sceneOf(field, red, view), part = sceneOf(field, green, view),
               all = sceneOf(field, {}, view);
         all.geometry = boxTetrahedra(kPartLower + shift, kPartUpper + shift);
