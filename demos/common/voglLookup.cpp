@@ -48,6 +48,17 @@ void VoglLookup::read(const char* program, const std::string& fileName, std::opt
     file_ = *read;
 }
 
+void VoglLookup::tintFile(float red, float green, float blue)
+{
+    if (!file_) return;
+    file_->isColor = true;
+    for (std::size_t entry = 0; entry < file_->rgba.size(); entry += 4) {
+        file_->rgba[entry] *= red;
+        file_->rgba[entry + 1] *= green;
+        file_->rgba[entry + 2] *= blue;
+    }
+}
+
 voRenderingMode VoglLookup::renderingMode() const
 {
     const bool coloured = file_ ? file_->isColor : tint_[0] != tint_[1] || tint_[1] != tint_[2];

@@ -34,6 +34,8 @@ public:
     void read(const char* program, const std::string& fileName, std::optional<vo::Options::Ramp> lut);
     /** Colours the ramp, so that it can be told from others. */
     void setTint(float red, float green, float blue) { tint_ = {red, green, blue}; }
+    /** The same of the file's table that was read, if any. */
+    void tintFile(float red, float green, float blue);
     /** Opacity at the ramp's top, for programs whose tables hold no opacities of slices. */
     void setRampOpacity(double opacity) { rampOpacity_ = opacity; }
     /** With -color, or with colours of its own and without -monochrome. */

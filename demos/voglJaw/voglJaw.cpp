@@ -52,7 +52,7 @@ const VoglProgram voglProgram = {
                  [](vo::Arguments& a) { pivot = readPlace(a); }},
                 {"partLut",
                  {"FILE"},
-                 "the part's table (default: an orange ramp)",
+                 "the part's table (default: that of the rest, in orange)",
                  [](vo::Arguments& a) { partTable = a.text(); }},
                 {"edge",
                  {"LENGTH"},
@@ -70,11 +70,22 @@ static voIndexedTetraSet *part, *rest;
 static voutParts* scene;
 static int partNumber, restNumber;
 
+// Its own, or the rest's in another colour.
+static void readPartTable(const char* program)
+{
+    if (!partTable.empty()) {
+        partLookup.read(program, partTable, std::nullopt);
+        return;
+    }
+    partLookup.setTint(1, 0.55f, 0.15f);
+    partLookup.read(program, options.lutFile, options.lut);
+    partLookup.tintFile(1, 0.55f, 0.15f);
+}
+
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
     surfaceFile = argv[2];
-    partLookup.setTint(1, 0.55f, 0.1f);
-    partLookup.read(argv[0], partTable, std::nullopt);
+    readPartTable(argv[0]);
     const bool isColored = readLookupTable(argv[0]) == voRenderingModeScope::COLOR ||
                            partLookup.renderingMode() == voRenderingModeScope::COLOR;
     volume = voglReadVolume(argv[0], voglOpenBlended(argv[0], argv[1]),

@@ -283,6 +283,18 @@ TEST_F(Passes, partAndRestTogetherAreTheVolume)
     }
 }
 
+TEST_F(Passes, partsAreOrangeWithoutATableOfTheirOwn)
+{
+    write("volume.tif", blob({24, 20, 18}, 1));
+    writePart(folder / "part.off");
+    writeTable("red.lut", {1, 0, 0, 0}, {1, 0.5, 0.2, 0.3});
+    writeTable("orange.lut", {1, 0, 0, 0}, {1, 0.5 * 0.55, 0.2 * 0.15, 0.3});
+    const std::string words = "volume.tif part.off -edge 3 -view 20 30 -lutFile red.lut ";
+    const auto orange = draw("voglJaw", words + "-partLut orange.lut");
+    EXPECT_GE(compareDrawn(draw("voglJaw", words), orange).psnrAll, 60);
+    EXPECT_LT(compareDrawn(draw("voglJaw", words + "-partLut red.lut"), orange).psnrAll, 40);
+}
+
 TEST_F(Passes, partsAreDrawnEachThroughItsTableAndWhereItWasMoved)
 {
     const Field field = blob({24, 20, 18}, 1);
