@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace vo {
@@ -26,6 +27,35 @@ bool addsNothing(const float* ranges, int channels, const ShadingPlan& plan, Cas
     }
     return false;
 }
+
+/// Up to which byte from each byte on voxels add nothing. Asking a table for each of many blocks takes
+/// longer.
+class ClearBytes
+{
+public:
+    /// isClear(low, high), as a sampler answers.
+    template <typename IsClear>
+    explicit ClearBytes(const IsClear& isClear)
+    {
+        int end = 0; // of the bytes known to be clear from `low` on
+        for (int low = 0; low < kBytes; ++low) {
+            end = std::max(end, low);
+            while (end < kBytes &&
+                   isClear(kByteRaw * static_cast<float>(low), kByteRaw * static_cast<float>(end)))
+                ++end;
+            highest_[static_cast<std::size_t>(low)] = kByteRaw * static_cast<float>(end > low ? end - 1 : -1);
+        }
+    }
+
+    bool hold(float low, float high) const
+    {
+        return high <= highest_[static_cast<std::size_t>(low * (1 / kByteRaw))];
+    }
+
+private:
+    static constexpr int kBytes = 256;
+    std::array<float, kBytes> highest_;
+};
 
 /// Lowers distances in a row to those of a neighbouring row and one more.
 void spread(const std::uint8_t* from, std::uint8_t* to, int count)
@@ -111,12 +141,24 @@ void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlendin
     const glm::ivec3 size = grid.blockCount();
     const auto slice = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     blocks.distance.assign(count + 4, 0);
-    parallelFor(static_cast<std::size_t>(size.z), threads, [&](std::size_t z) {
-        for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
-            if (addsNothing(ranges.data() + 2 * channels * i, grid.view().channels, plan, blending,
-                            grid.view().rawUnit))
-                blocks.distance[i] = EmptyBlocks::kFarthest;
-    });
+    const auto isClear = [&](const float* range) {
+        return addsNothing(range, grid.view().channels, plan, blending, grid.view().rawUnit);
+    };
+    const auto mark = [&](const auto& isEmpty) {
+        parallelFor(static_cast<std::size_t>(size.z), threads, [&](std::size_t z) {
+            for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
+                blocks.distance[i] = isEmpty(ranges.data() + 2 * channels * i) ? EmptyBlocks::kFarthest : 0;
+        });
+    };
+    if (grid.view().kind == GridKind::bytes) {
+        const ClearBytes clear([&](float low, float high) {
+            const float range[] = {low, high};
+            return isClear(range);
+        });
+        mark([&](const float* range) { return clear.hold(range[0], range[1]); });
+    } else {
+        mark(isClear);
+    }
     spreadByEights(size, threads, blocks.distance.data());
 }
 

@@ -19,8 +19,6 @@ namespace {
 
 /// Gathers count bytes (of pairs of bytes), or numbers (of all others), in 31 bits.
 constexpr std::uint64_t kMostOffsets = std::uint64_t{1} << 31;
-/// What a sampler answers for a byte of 1: fixed-point numbers of 15 bits.
-constexpr float kByteRaw = 128.0f;
 /// Bytes that are read past the last cell, and count for nothing.
 constexpr std::size_t kPastTheEnd = 16;
 /// Clip boxes come from floats.

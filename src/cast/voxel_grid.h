@@ -18,6 +18,9 @@ namespace vo {
 /// shorts: 32 bits, likewise. floats: 1 or 4 numbers, interleaved.
 enum class GridKind { bytes, shorts, floats };
 
+/// What a sampler answers for a byte of 1: fixed-point numbers of 15 bits.
+constexpr float kByteRaw = 128.0f;
+
 /// Edges of the blocks of cells whose range is known.
 constexpr int kBlockShift = 2;
 constexpr int kBlockCells = 1 << kBlockShift;

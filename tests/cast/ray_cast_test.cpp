@@ -1,5 +1,7 @@
 #include "cast_scene.h"
 
+#include "cast/empty_blocks.h"
+
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -7,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <random>
 
 namespace {
 
@@ -458,6 +461,43 @@ TEST(RayCast, skippingLeavesThePictureAsItIs)
                 EXPECT_EQ(largestDifference(pictureOf(own), pictureOf(own, false)), 0.0)
                     << static_cast<int>(blending) << table << perspective;
             }
+}
+
+/// For every range of bytes that occurs: whether a table of bands shows one of them.
+TEST(EmptyBlocks, areThoseOfWhichTheTableShowsNothing)
+{
+    std::mt19937 random(4);
+    const Field field = vo::test::quantised(vo::test::fieldOf({50, 40, 30}, [&](const glm::dvec3& p) {
+        return 0.5 + 0.4 * std::sin(0.3 * p.x) * std::cos(0.2 * p.y) + 0.002 * (random() % 50);
+    }));
+    std::size_t blocks = 0, clear = 0;
+    for (int tables = 0; tables < 40; ++tables) {
+        Scene scene = sceneOf(field);
+        scene.table.assign(4 * 256, 1.0f);
+        for (std::size_t i = 0, end = 0; i < 256; ++i) {
+            if (i == end) end = i + 1 + random() % (tables % 2 ? 8 : 90);
+            scene.table[4 * i + 3] = end % 2 && tables != 39 ? 0.5f : 0.0f;
+        }
+        RequestOfScene own(scene, {});
+        std::string refusal;
+        const vo::VoxelGrid grid(own.request.bricks, own.request.clipBoxes, 2, refusal);
+        ASSERT_EQ(refusal, "");
+        vo::EmptyBlocks empty;
+        findEmptyBlocks(grid, shadingPlan(own.request.shading, vo::TexelFormat::intensity, false),
+                        own.request.blending, 2, empty);
+        for (std::size_t i = 0; 2 * i < grid.blockRanges().size(); ++i) {
+            const auto low = std::size_t(grid.blockRanges()[2 * i] / 128);
+            const auto high = std::size_t(grid.blockRanges()[2 * i + 1] / 128);
+            bool shows = false;
+            for (std::size_t value = low; value <= high; ++value)
+                shows = shows || scene.table[4 * value + 3] > 0.0f;
+            ASSERT_EQ(empty.distance[i] == 0, shows) << tables << ": " << low << " to " << high;
+            clear += !shows;
+            ++blocks;
+        }
+    }
+    EXPECT_GT(clear, blocks / 10);
+    EXPECT_LT(clear, blocks / 2);
 }
 
 TEST(RayCast, pictureIsTheSameForEachInstructionSetAndThreadCount)
