@@ -153,6 +153,38 @@ HWY_INLINE Floats opacityOver(Floats alpha, Floats units)
     return hn::IfThenElse(alpha >= one, one, one - hn::BitCast(kFloats, scaled));
 }
 
+/// opacityOver for many samples of the same lengths. Small opacities, of which most samples are, take four
+/// terms of the binomial series.
+class LengthOfSamples
+{
+public:
+    explicit LengthOfSamples(Floats units)
+        : units_(units), second_(units * (units - number(1)) * number(-1.0f / 2)),
+          third_(second_ * (units - number(2)) * number(-1.0f / 3)),
+          fourth_(third_ * (units - number(3)) * number(-1.0f / 4)),
+          small_(hn::IfThenElseZero(units < number(kLongest), number(kSmall)))
+    {
+    }
+
+    HWY_INLINE Floats opacity(Floats alpha) const
+    {
+        if (!hn::AllTrue(kFloats, hn::And(alpha >= hn::Zero(kFloats), alpha < small_)))
+            return opacityOver(alpha, units_);
+        Floats series = hn::MulAdd(fourth_, alpha, third_);
+        series = hn::MulAdd(series, alpha, second_);
+        return alpha * hn::MulAdd(series, alpha, units_);
+    }
+
+private:
+    /// The fifth term is at most 0.03 times the fifth power of alpha: less than 1e-6.
+    static constexpr float kSmall = 1.0f / 8, kLongest = 4.0f;
+
+    static HWY_INLINE Floats number(float value) { return hn::Set(kFloats, value); }
+
+    Floats units_, second_, third_, fourth_;
+    Floats small_;
+};
+
 } // namespace HWY_NAMESPACE
 } // namespace vo
 HWY_AFTER_NAMESPACE();

@@ -270,7 +270,7 @@ class Composite
 {
 public:
     Composite(const RayJob& job, const Packet& packet)
-        : grey_(job.shading->grey), perUnit_(job.gauge != nullptr), units_(hn::Load(kFloats, packet.units))
+        : grey_(job.shading->grey), perUnit_(job.gauge != nullptr), length_(hn::Load(kFloats, packet.units))
     {
     }
 
@@ -281,7 +281,7 @@ public:
         const auto seen = hn::And(active, transmittance_ >= hn::Set(kFloats, kLeastTransmittance));
         Floats alpha = hn::IfThenElseZero(seen, source.alpha());
         if (kPremultiplied ? hn::AllFalse(kFloats, seen) : hn::AllTrue(kFloats, alpha == zero)) return;
-        if (perUnit_) alpha = opacityOver(alpha, units_);
+        if (perUnit_) alpha = length_.opacity(alpha);
         const Floats weight = transmittance_ * alpha;
         const Floats colorWeight = kPremultiplied ? hn::IfThenElseZero(seen, transmittance_) : weight;
         red_ = hn::MulAdd(colorWeight, source.red(), red_);
@@ -326,7 +326,7 @@ public:
 private:
     bool grey_;
     bool perUnit_;
-    Floats units_;
+    LengthOfSamples length_;
     Floats red_ = hn::Zero(kFloats), green_ = hn::Zero(kFloats), blue_ = hn::Zero(kFloats);
     Floats alpha_ = hn::Zero(kFloats);
     Floats transmittance_ = hn::Set(kFloats, 1.0f);
@@ -354,7 +354,7 @@ class Others
 {
 public:
     Others(const RayJob& job, const Packet& packet)
-        : blending_(job.blending), perUnit_(job.gauge != nullptr), units_(hn::Load(kFloats, packet.units))
+        : blending_(job.blending), perUnit_(job.gauge != nullptr), length_(hn::Load(kFloats, packet.units))
     {
         for (Floats& value : value_)
             value = hn::Set(kFloats, startOf(blending_));
@@ -364,7 +364,7 @@ public:
     HWY_INLINE void add(const Source& source, Mask active)
     {
         Floats alpha = source.alpha();
-        if (perUnit_) alpha = opacityOver(alpha, units_);
+        if (perUnit_) alpha = length_.opacity(alpha);
         for (std::size_t c = 0; c < 4; ++c) {
             const Floats fragment = c < 3 ? source.color(c) : alpha;
             value_[c] = hn::IfThenElse(active, joined(value_[c], fragment, alpha), value_[c]);
@@ -401,7 +401,7 @@ private:
 
     CastBlending blending_;
     bool perUnit_;
-    Floats units_;
+    LengthOfSamples length_;
     Floats value_[4];
 };
 
