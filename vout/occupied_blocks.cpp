@@ -108,7 +108,7 @@ BlockGrid BlockGrid::of(const BlockPlace& size, int side)
         blocks *= grid.count[axis];
     }
     if (blocks > kMostBlocks)
-        badValue(std::to_string(static_cast<long long>(blocks)) + " blocks, at most " +
+        badValue(std::to_string(static_cast<unsigned long long>(std::min(blocks, 1e19))) + " blocks, at most " +
                  std::to_string(static_cast<long long>(kMostBlocks)) + " are possible");
     grid.occupied.assign(static_cast<std::size_t>(blocks), 0);
     return grid;

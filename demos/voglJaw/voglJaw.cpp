@@ -84,6 +84,7 @@ static void readPartTable(const char* program)
 
 voBrickSetCollection* my_InitAppearance(int, char** argv)
 {
+    if (isPartAlone && isRestAlone) voglFail(argv[0], "-part and -rest exclude each other");
     surfaceFile = argv[2];
     readPartTable(argv[0]);
     const bool isColored = readLookupTable(argv[0]) == voRenderingModeScope::COLOR ||

@@ -89,7 +89,7 @@ private:
     }
     bool hasValue(std::int64_t place) const
     {
-        return std::isfinite(shown(numbersOf(place), field_.components, component_));
+        return std::isfinite(static_cast<float>(shown(numbersOf(place), field_.components, component_)));
     }
 
     /// Cells that are shown: those with numbers at all corners.

@@ -5,7 +5,8 @@
 
 /** What a closed surface of triangles bounds, as tetrahedra: an organ, a bone, a part to be moved by itself (guide, pages
     14 to 16). Of the library vout, by CGAL's mesh generator: a vout that has it comes under the GNU General Public
-    License, version 3 or later (docs/vout.md); one built without answers UNSUPPORTED.
+    License, version 3 or later (docs/vout.md). In one built without, the constructors are UNSUPPORTED and make no
+    surface.
 
     The surface may have several parts, and cavities: what lies inside of an odd number of parts is filled. Triangles may
     be any way round, in all parts, but neighbours alike. Vertices of equal coordinates count as one. BAD_VALUE, with
@@ -24,7 +25,7 @@ public:
     explicit voutClosedSurface(const char *fileName);
     virtual ~voutClosedSurface();
 
-    /** About how long edges of tetrahedra are; the number of tetrahedra is about 8 times the volume through the length's
+    /** About how long edges of tetrahedra are; the number of tetrahedra is 8 to 20 times the volume through the length's
         cube. At first a twentieth of the diagonal of the surface's bounds. */
     void setEdgeLength(float length);
     float getEdgeLength() const;

@@ -725,6 +725,20 @@ TEST_F(VoutClosedSurfaceFiles, damagedOnesAreRefusedAndNamed)
     refused(write("empty.off", [](std::ostream&) {}), "expected polygons in OFF");
     refused(write("many.off", [](std::ostream& out) { out << "OFF\n4000000000 4000000000 0\n0 0 0\n"; }),
             "many.off");
+    refused(write("claims.off", [](std::ostream& out) { out << "OFF # all\n50000000 50000000 0\n0 0 0\n"; }),
+            "claims.off: cut off: its header has 50000000 vertices and 50000000 polygons, the file 36 bytes");
+    const auto plyWithout = [&](const std::string& name, const std::string& line) {
+        return write(name, [&](std::ostream& out) {
+            std::ostringstream whole;
+            printPly(whole, cube());
+            std::istringstream lines(whole.str());
+            for (std::string each; std::getline(lines, each);)
+                if (each.rfind(line, 0) != 0) out << each << '\n';
+        });
+    };
+    refused(plyWithout("parts.ply", "element vertex"),
+            "parts.ply: damaged: its header has a property before");
+    refused(plyWithout("endless.ply", "end_header"), "endless.ply: cut off: its header has no end");
     refused(write("outside.off",
                   [](std::ostream& out) {
                       out << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 7\n3 0 1 2\n3 0 2 3\n3 1 2 3\n";
