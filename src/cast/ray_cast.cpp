@@ -6,6 +6,7 @@
 #include "cast/walk_rays.h"
 #include "core/parallel.h"
 #include "geometry/convex_set.h"
+#include "geometry/kept_tetras.h"
 
 #include <algorithm>
 #include <cassert>
@@ -66,9 +67,8 @@ struct RayCaster::Private
 {
     GridStore store;
     std::list<ShadedGrid> shaded; ///< of grids in the store; the latest used first
-    std::vector<float> records;
-    std::vector<int> indices;
-    std::optional<ConvexSet> convex;
+    KeptTetras convexTetras;
+    std::optional<ConvexSet> convex; ///< that they fill
     bool skipping = true;
 
     const StoredGrid& gridOf(const CastRequest& request)
@@ -95,11 +95,7 @@ struct RayCaster::Private
 
     const std::optional<ConvexSet>& convexOf(const TetraView& tetras)
     {
-        if (!std::ranges::equal(tetras.records, records) || !std::ranges::equal(tetras.indices, indices)) {
-            records.assign(tetras.records.begin(), tetras.records.end());
-            indices.assign(tetras.indices.begin(), tetras.indices.end());
-            convex = convexSet(tetras);
-        }
+        if (convexTetras.renew(tetras)) convex = convexSet(tetras);
         return convex;
     }
 };

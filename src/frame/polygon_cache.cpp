@@ -76,7 +76,7 @@ public:
 
     bool append(int brick, int sample, std::span<const float> records) override
     {
-        const auto values = static_cast<std::size_t>(cache_.valuesPerVertex_);
+        const auto values = static_cast<std::size_t>(cache_.keyTetras_.valuesPerVertex());
         const std::size_t first = cache_.stack_.records.size() / values;
         const std::size_t count = records.size() / values;
         if (first + count > UINT32_MAX) return false;
@@ -94,7 +94,7 @@ bool PolygonCache::update(const PolygonRequest& request, double threshold)
 {
     if (isCurrent(request, threshold)) return false;
     remember(request);
-    bricksInterleave_ = voxelColumn_ >= 0 && request.clipBoxes.size() > 1;
+    bricksInterleave_ = keyTetras_.voxelColumn() >= 0 && request.clipBoxes.size() > 1;
     if (request.sampling.mode == SamplingMode::spherical && request.camera.perspective)
         cutShells(request);
     else if (!sliceAsOneBody(request))
@@ -151,23 +151,13 @@ bool PolygonCache::isCurrent(const PolygonRequest& request, double threshold) co
     const bool eyeFits = request.sampling.mode != SamplingMode::spherical || !request.camera.perspective ||
                          eyeStays(keyCamera_, request.camera, centreOfBox(request.tetras), threshold);
     return cameraFits && eyeFits && sameSampling(keySampling_, request.sampling) &&
-           sameBoxes(keyBoxes_, request.clipBoxes) && sameTetras(request.tetras);
-}
-
-bool PolygonCache::sameTetras(const TetraView& tetras) const
-{
-    return valuesPerVertex_ == tetras.valuesPerVertex && voxelColumn_ == tetras.voxelColumn &&
-           std::ranges::equal(keyIndices_, tetras.indices) && std::ranges::equal(keyRecords_, tetras.records);
+           sameBoxes(keyBoxes_, request.clipBoxes) && keyTetras_.equal(request.tetras);
 }
 
 void PolygonCache::remember(const PolygonRequest& request)
 {
     valid_ = false;
-    if (!sameTetras(request.tetras)) {
-        valuesPerVertex_ = request.tetras.valuesPerVertex;
-        voxelColumn_ = request.tetras.voxelColumn;
-        keyRecords_.assign(request.tetras.records.begin(), request.tetras.records.end());
-        keyIndices_.assign(request.tetras.indices.begin(), request.tetras.indices.end());
+    if (keyTetras_.renew(request.tetras)) {
         framesOfTetras_ = 0;
         bodySought_ = false;
         body_.reset();

@@ -2,6 +2,7 @@
 
 #include "core/box.h"
 #include "geometry/convex_set.h"
+#include "geometry/kept_tetras.h"
 #include "geometry/tetra_view.h"
 #include "polygonize/box_lattice.h"
 #include "polygonize/camera.h"
@@ -66,7 +67,6 @@ private:
     class Collector;
 
     bool isCurrent(const PolygonRequest& request, double threshold) const;
-    bool sameTetras(const TetraView& tetras) const;
     void remember(const PolygonRequest& request);
     void cutShells(const PolygonRequest& request);
     bool sliceAsOneBody(const PolygonRequest& request);
@@ -75,10 +75,7 @@ private:
 
     bool valid_ = false;
     std::uint64_t serial_ = 0;
-    int valuesPerVertex_ = 0;
-    int voxelColumn_ = -1;
-    std::vector<float> keyRecords_;
-    std::vector<int> keyIndices_;
+    KeptTetras keyTetras_;
     std::vector<Box> keyBoxes_;
     Camera keyCamera_;
     SamplingRequest keySampling_;

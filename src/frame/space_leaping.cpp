@@ -144,11 +144,7 @@ std::optional<TetraView> SpaceLeaping::boxAround(ContextRecord& context, const F
 /// False too for boxes that leave nothing out.
 bool SpaceLeaping::findUnion(const TetraView& tetras)
 {
-    if (std::ranges::equal(unionRecords_, tetras.records) &&
-        std::ranges::equal(unionIndices_, tetras.indices))
-        return union_.has_value();
-    unionRecords_.assign(tetras.records.begin(), tetras.records.end());
-    unionIndices_.assign(tetras.indices.begin(), tetras.indices.end());
+    if (!unionTetras_.renew(tetras)) return union_.has_value();
     unionCells_ = 0;
     union_ = boxUnion(tetras);
     if (union_ && std::ranges::find(union_->covered, 0) == union_->covered.end()) union_.reset();
@@ -229,10 +225,7 @@ bool SpaceLeaping::costsLess(const ContextRecord& context) const
 bool SpaceLeaping::findDomain(const TetraView& tetras)
 {
     if (tetras.valuesPerVertex != 3 || tetras.tetraCount() > kMostTetras) return false;
-    if (std::ranges::equal(keyRecords_, tetras.records) && std::ranges::equal(keyIndices_, tetras.indices))
-        return domain_.has_value();
-    keyRecords_.assign(tetras.records.begin(), tetras.records.end());
-    keyIndices_.assign(tetras.indices.begin(), tetras.indices.end());
+    if (!domainTetras_.renew(tetras)) return domain_.has_value();
     sliced_ = false;
     framesToPass_ = 0;
     domain_ = filledBox(tetras);

@@ -4,6 +4,7 @@
 #include "core/box.h"
 #include "draw/context_record.h"
 #include "geometry/box_union.h"
+#include "geometry/kept_tetras.h"
 #include "lookup/visible_values.h"
 #include "polygonize/camera.h"
 #include "polygonize/slice_occupied.h"
@@ -73,12 +74,10 @@ private:
     void markOccupied(const VisibleValues& visible);
     void joinCells();
 
-    std::vector<float> keyRecords_;
-    std::vector<int> keyIndices_;
+    KeptTetras domainTetras_;
     std::optional<Box> domain_; ///< that the tetrahedra fill
 
-    std::vector<float> unionRecords_;
-    std::vector<int> unionIndices_;
+    KeptTetras unionTetras_;
     std::optional<BoxUnion> union_;
     std::vector<float> aroundRecords_; ///< of its bounds
     bool unionShowsAll_ = false;       ///< in cells_ of unionCells_
