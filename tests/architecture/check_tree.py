@@ -13,7 +13,7 @@ import re
 import sys
 
 # The folders of src in the order of the pipeline: each includes itself and those before it.
-PIPELINE = ["core", "appearance", "lookup", "geometry", "polygonize", "sort", "cast", "draw", "frame", "legacy", "x3d"]
+PIPELINE = ["core", "appearance", "lookup", "geometry", "polygonize", "sort", "style", "cast", "draw", "frame", "legacy", "x3d"]
 
 # The folder of src that knows the face of 1998; that of scenes has one of its own, <vo/x3d/...>.
 FACE_HOME = "legacy"

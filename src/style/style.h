@@ -1,0 +1,72 @@
+#pragma once
+
+#include "style/sample_batch.h"
+#include "style/voxel_texture.h"
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace vo {
+
+class GlslChain;
+
+/// A light of X3D, in the space of what it shines on.
+struct StyleLight
+{
+    enum class Kind { directional, point, spot };
+    Kind kind = Kind::directional;
+    glm::vec3 color{1.0f};
+    float intensity = 1.0f;
+    float ambientIntensity = 0.0f;
+    glm::vec3 position{0.0f};               ///< point and spot
+    glm::vec3 direction{0.0f, 0.0f, -1.0f}; ///< in which it shines, unit; directional and spot
+    glm::vec3 attenuation{1.0f, 0.0f, 0.0f};
+    float radius = 100.0f;       ///< beyond it point and spot shine on nothing
+    float beamWidth = 0.589049f; ///< radians; spot
+    float cutOffAngle = 1.570796f;
+};
+
+/// What styles know beyond the sample, in local space.
+struct StyleSurroundings
+{
+    std::vector<StyleLight> lights;
+};
+
+/// One style: what it makes of the colour and the opacity of samples, once as C++ and once as GLSL. Both say
+/// the same (docs/x3d.md has the equations).
+class Style
+{
+public:
+    virtual ~Style() = default;
+    /// Reads n or gradient.
+    virtual bool needsNormal() const { return false; }
+    /// Reads position, or V.
+    virtual bool needsPosition() const { return needsNormal(); }
+    /// Surface normals that the scene gives: texels 0 to 1 stand for -1 to 1. Nothing: computed from the
+    /// voxels.
+    virtual const VoxelTexture* surfaceNormals() const { return nullptr; }
+    /// A sample without opacity stays without.
+    virtual bool keepsClear() const { return true; }
+    /// Changes Cv and Ov of all samples.
+    virtual void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const = 0;
+    /// Adds its function and its call (glsl_chain.h).
+    virtual void write(GlslChain& chain) const = 0;
+};
+
+/// Styles one after the other, begun by what firstColor() makes of the voxel. Borrowed pointers live as long.
+using StyleChain = std::vector<std::shared_ptr<const Style>>;
+
+/// What a voxel is before any style: L has the colour L and the opacity L; LA, RGB (opacity: the mean of the
+/// three) and RGBA as they are. Sets Cv and Ov.
+void firstColor(int components, SampleBatch& samples);
+/// Its GLSL: vec4 firstColor1(vec4 voxel) to firstColor4.
+extern const char* const kFirstColorGlsl;
+
+/// A texture at places: up to four components each, and those that are missing stay as they are.
+void sampleTexture(const VoxelTexture& texture, int count, const BatchVectors& place,
+                   std::array<BatchFloats, 4>& components);
+
+} // namespace vo
