@@ -16,9 +16,16 @@ def differences(row):
     return row[:1] + bytes((b - a) & 255 for a, b in zip(row, row[1:]))
 
 
+def differences_of_shorts(row):
+    values = struct.unpack('<%dH' % (len(row) // 2), row)
+    return struct.pack('<%dH' % len(values), values[0], *((b - a) & 65535 for a, b in zip(values, values[1:])))
+
+
 def predicted(row, bytes_per_voxel):
     if bytes_per_voxel == 1:
         return differences(row)
+    if bytes_per_voxel == 2:
+        return differences_of_shorts(row)
     # Floats: the highest bytes of all voxels first, then the next ones, and so on.
     return differences(b''.join(row[byte::4] for byte in (3, 2, 1, 0)))
 
@@ -60,15 +67,15 @@ def page(offset, voxels, width, height, bytes_per_voxel, number, pages):
         (279, LONG, len(strips), table + 4 * len(strips) if table else lengths[0]),
         (284, SHORT, 1, 1),
         (297, SHORT, 2, number | pages << 16),
-        (317, SHORT, 1, HORIZONTAL if bytes_per_voxel == 1 else FLOATING_POINT),
-        (339, SHORT, 1, UNSIGNED if bytes_per_voxel == 1 else FLOAT),
+        (317, SHORT, 1, FLOATING_POINT if bytes_per_voxel == 4 else HORIZONTAL),
+        (339, SHORT, 1, FLOAT if bytes_per_voxel == 4 else UNSIGNED),
     ]
     directory = struct.pack('<H', len(entries)) + b''.join(struct.pack('<HHII', *entry) for entry in entries)
     return offset + len(data), data + directory
 
 
 def write_page_stack(path, voxels, size, bytes_per_voxel):
-    """voxels: little-endian bytes, x fastest; bytes_per_voxel 1 (unsigned) or 4 (float). Page k is z = k."""
+    """voxels: little-endian bytes, x fastest; bytes_per_voxel 1 or 2 (unsigned) or 4 (float). Page k is z = k."""
     width, height, depth = size
     slice_bytes = width * height * bytes_per_voxel
     assert len(voxels) == slice_bytes * depth

@@ -65,9 +65,21 @@ TEST(SampleVolumes, tagsOfTheHeadLieWhereItsVoxelsDo)
     EXPECT_NEAR(double(brain), 1.75e6, 0.25e6) << "cubic millimetres";
 }
 
+TEST(SampleVolumes, brainAndItsMapsHoldWhatTheirSourcesDo)
+{
+    auto brain = openVolume(kSource + "data/volumes/brain.tif"),
+         maps = openVolume(kSource + "data/volumes/brain-maps.tif");
+    ASSERT_TRUE(brain && maps);
+    ASSERT_EQ(brain->info(), (VolumeInfo{{168, 206, 128}, 1, ChannelType::uint8}));
+    ASSERT_EQ(maps->info(), (VolumeInfo{{168, 206, 128}, 1, ChannelType::uint16}));
+    // Of the floats of the template, doubled and rounded, and of the shorts of NeuroMaps as they are.
+    EXPECT_EQ(checksum(whole(*brain)), 0xc50ec58du);
+    EXPECT_EQ(checksum(whole(*maps)), 0xdcfac0beu);
+}
+
 TEST(SampleVolumes, stayUnderFiveMegabytes)
 {
-    for (const char* name : {"head.tif", "head-tags.tif", "skull.tif"})
+    for (const char* name : {"head.tif", "head-tags.tif", "skull.tif", "brain.tif", "brain-maps.tif"})
         EXPECT_LT(std::filesystem::file_size(kSource + "data/volumes/" + name), 5'000'000u);
 }
 
