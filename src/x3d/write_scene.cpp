@@ -149,6 +149,7 @@ private:
         bool hasNodes = false;
         for (const auto& [slot, value] : node.settings()) {
             const FieldRow& row = node.field(slot);
+            if (!isKept(row.access)) continue; // what it sent last
             if (shapeOf(row.type).storage == Storage::nodes)
                 hasNodes = hasNodes || sizeOf(value) > 0;
             else
@@ -173,6 +174,7 @@ private:
         ++depth_;
         for (const auto& [slot, value] : node.settings()) {
             const FieldRow& row = node.field(slot);
+            if (!isKept(row.access)) continue;
             indent();
             out_ += row.name + " ";
             const auto* const below = std::get_if<std::vector<Node*>>(&value);

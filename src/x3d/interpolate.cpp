@@ -1,0 +1,117 @@
+#include "x3d/interpolate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <span>
+
+namespace vo {
+namespace {
+
+/// Between which keys a fraction lies, and how far.
+struct KeySpan
+{
+    std::size_t low = 0, high = 0;
+    double part = 0;
+};
+
+KeySpan spanOf(std::span<const float> keys, float fraction)
+{
+    const auto above = std::ranges::upper_bound(keys, fraction);
+    if (above == keys.begin()) return {};
+    const auto high = static_cast<std::size_t>(above - keys.begin());
+    const std::size_t low = high - 1;
+    if (high == keys.size()) return {low, low, 0};
+    const double from = static_cast<double>(keys[low]), to = static_cast<double>(keys[high]);
+    return {low, high, (static_cast<double>(fraction) - from) / (to - from)};
+}
+
+using Numbers = std::span<const float>;
+
+std::vector<float> straight(Numbers from, Numbers to, double part)
+{
+    std::vector<float> value(from.size());
+    for (std::size_t i = 0; i < value.size(); ++i)
+        value[i] = static_cast<float>(std::lerp(double(from[i]), double(to[i]), part));
+    return value;
+}
+
+glm::dquat quaternionOf(Numbers rotation)
+{
+    const glm::dvec3 axis(rotation[0], rotation[1], rotation[2]);
+    const double length = glm::length(axis);
+    return length > 0 ? glm::angleAxis(double(rotation[3]), axis / length) : glm::dquat(1, 0, 0, 0);
+}
+
+std::vector<float> turned(Numbers from, Numbers to, double part)
+{
+    const glm::dquat between = glm::slerp(quaternionOf(from), quaternionOf(to), part);
+    const glm::dvec3 axis(between.x, between.y, between.z);
+    const double sine = glm::length(axis);
+    if (sine < 1e-12) return {0, 0, 1, 0};
+    const glm::dvec3 unit = axis / sine;
+    return {float(unit.x), float(unit.y), float(unit.z), float(2 * std::atan2(sine, between.w))};
+}
+
+/// Hue from 0 to 6 (red, yellow, green ...), saturation, value.
+struct HsvColor
+{
+    double hue = 0, saturation = 0, value = 0;
+};
+
+HsvColor hsvOf(Numbers color)
+{
+    const double red = double(color[0]), green = double(color[1]), blue = double(color[2]);
+    const double most = std::max({red, green, blue}), range = most - std::min({red, green, blue});
+    if (range <= 0) return {0, 0, most};
+    const double hue = most == red     ? (green - blue) / range
+                       : most == green ? 2 + (blue - red) / range
+                                       : 4 + (red - green) / range;
+    return {hue < 0 ? hue + 6 : hue, range / most, most};
+}
+
+std::vector<float> rgbOf(const HsvColor& color)
+{
+    const auto component = [&](double shift) {
+        const double place = std::fmod(color.hue + shift, 6.0);
+        const double full = std::clamp(std::abs(place - 3) - 1, 0.0, 1.0);
+        return static_cast<float>(color.value * std::lerp(1.0, full, color.saturation));
+    };
+    return {component(0), component(4), component(2)};
+}
+
+std::vector<float> mixedColor(Numbers from, Numbers to, double part)
+{
+    HsvColor a = hsvOf(from), b = hsvOf(to);
+    // Grey has no hue of its own.
+    if (a.saturation <= 0) a.hue = b.hue;
+    if (b.saturation <= 0) b.hue = a.hue;
+    if (b.hue - a.hue > 3) a.hue += 6;
+    if (a.hue - b.hue > 3) b.hue += 6;
+    return rgbOf({std::lerp(a.hue, b.hue, part), std::lerp(a.saturation, b.saturation, part),
+                  std::lerp(a.value, b.value, part)});
+}
+
+} // namespace
+
+std::optional<FieldValue> interpolated(const Node& interpolator, float fraction)
+{
+    if (std::isnan(fraction)) return {};
+    const FieldRow& valueRow = *interpolator.field("keyValue");
+    const auto& keys = std::get<std::vector<float>>(interpolator.value(*interpolator.field("key")));
+    const auto& values = std::get<std::vector<float>>(interpolator.value(valueRow));
+    const auto components = static_cast<std::size_t>(shapeOf(valueRow.type).components);
+    const std::size_t count = std::min(keys.size(), values.size() / components);
+    if (count == 0) return {};
+    const KeySpan span = spanOf(std::span(keys).first(count), fraction);
+    const Numbers from = std::span(values).subspan(span.low * components, components);
+    if (span.part == 0) return FieldValue(std::vector<float>(from.begin(), from.end()));
+    const Numbers to = std::span(values).subspan(span.high * components, components);
+    switch (valueRow.type) {
+    case FieldType::mfRotation: return FieldValue(turned(from, to, span.part));
+    case FieldType::mfColor: return FieldValue(mixedColor(from, to, span.part));
+    default: return FieldValue(straight(from, to, span.part));
+    }
+}
+
+} // namespace vo
