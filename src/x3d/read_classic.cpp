@@ -160,7 +160,7 @@ private:
     {
         const int line = lexer_.take().line;
         const std::string_view word = lexer_.take().text;
-        const auto colon = std::min(word.find(':'), word.size());
+        const auto colon = std::min(word.rfind(':'), word.size());
         int level = 1;
         if (colon == word.size() || !parseNumber(word.substr(colon + 1), level))
             builder_.wrong(line,
