@@ -41,14 +41,17 @@ class Style
 {
 public:
     virtual ~Style() = default;
-    /// Reads n or gradient.
+    /// Reads n or gradient of the samples.
     virtual bool needsNormal() const { return false; }
     /// Reads position, or V.
     virtual bool needsPosition() const { return needsNormal(); }
-    /// Surface normals that the scene gives: texels 0 to 1 stand for -1 to 1. Nothing: computed from the
-    /// voxels.
+    /// Surface normals that the scene gives: texels 0 to 1 stand for -1 to 1, in local space. The style reads
+    /// them itself, in place of n, and then does not ask for n by needsNormal().
     virtual const VoxelTexture* surfaceNormals() const { return nullptr; }
-    /// A sample without opacity stays without.
+    /// What came before is lost: it sets colour and opacity from the voxel.
+    virtual bool replacesColor() const { return false; }
+    /// A sample without opacity stays without. One that replacesColor() says so too: in an effectiveChain()
+    /// it stands first or nowhere, so engines leave out clear samples after the first step alone.
     virtual bool keepsClear() const { return true; }
     /// Changes Cv and Ov of all samples.
     virtual void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const = 0;
@@ -58,6 +61,10 @@ public:
 
 /// Styles one after the other, begun by what firstColor() makes of the voxel. Borrowed pointers live as long.
 using StyleChain = std::vector<std::shared_ptr<const Style>>;
+
+/// The chain from the last style on that replaces the colour, or all of it: the picture is the same. What
+/// engines are given.
+StyleChain effectiveChain(const StyleChain& chain);
 
 /// What a voxel is before any style: L has the colour L and the opacity L; LA, RGB (opacity: the mean of the
 /// three) and RGBA as they are. Sets Cv and Ov.

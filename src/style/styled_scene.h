@@ -15,17 +15,23 @@
 namespace vo {
 
 /// Rays are joined to one colour by a maximum, minimum or mean (ProjectionVolumeStyle), which then goes over
-/// what lies behind the first sample.
+/// what lies behind the first sample. It is a grey: of the mean of a sample's red, green and blue after the
+/// chain. Its opacity is that of the voxel (second of two components, fourth of four, else 1) where the chain
+/// is empty, else that after the chain, as it is and for no length; of the sample that was chosen, or the
+/// mean of all. Samples behind an opaque surface are not looked at.
 struct RayProjection
 {
     enum class Type { max, min, average };
     Type type = Type::max;
-    /// Above 0: the first local maximum above it, or the first local minimum below it.
+    /// Above 0: the first local maximum above it, or the first local minimum below it: the first sample
+    /// beyond the threshold after which the ray ends or turns back. None: the greatest, or the least, of all.
     float intensityThreshold = 0.0f;
 };
 
 /// Surfaces where the first component of the voxels crosses a value. chains[i] belongs to values[i]; the last
-/// one to all values after it.
+/// one to all values after it. A crossing lies between two neighbouring samples of a ray, both in the volume,
+/// one below the value and one not, where the line between the two has the value; its opacity is that after
+/// the chain, for no length.
 struct IsoSurfaces
 {
     std::vector<float> values;                     ///< rising
@@ -116,7 +122,8 @@ struct SkyColors
     float opacity = 1.0f; ///< of the sky: 0 leaves the picture clear
 };
 
-/// All that one picture needs: no files, no nodes.
+/// All that one picture needs: no files, no nodes. Of samples at the same depth those of the volume that
+/// comes first in the list are in front.
 struct StyledScene
 {
     int width = 512, height = 512;

@@ -5,7 +5,7 @@
 #include <memory>
 
 /// The styles of X3D, one file each. Fields have the names and the meaning of the standard; where a field is
-/// a texture, nothing stands for NULL.
+/// a texture, nothing stands for NULL; surface normals of less than three components count as none.
 namespace vo {
 
 using TexturePointer = std::shared_ptr<const VoxelTexture>;
@@ -64,7 +64,8 @@ struct Blended
 {
     enum class Weight { constant, alpha0, alpha1, oneMinusAlpha0, oneMinusAlpha1, table };
     TexturePointer voxels;
-    StyleChain chain; ///< of them
+    glm::vec3 dimensions{1.0f}; ///< of the volume, for the gradient of these voxels
+    StyleChain chain;           ///< of them
     Weight weightFunction1 = Weight::constant, weightFunction2 = Weight::constant;
     float weightConstant1 = 0.5f, weightConstant2 = 0.5f;
     TexturePointer weightTransferFunction1, weightTransferFunction2;

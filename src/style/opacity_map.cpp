@@ -1,0 +1,126 @@
+#include "style/glsl_chain.h"
+#include "style/styles.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace vo {
+
+namespace {
+
+const char* const kWithoutFunctionGlsl = R"(
+vec4 opaqueAtZero(vec4 color, StyleSample s) { return vec4(color.rgb, 1.0 - color.a); }
+)";
+
+// A value at the edge of a function takes its last texel, even where the texture repeats: values do not.
+const char* const kPlaceGlsl = R"(
+vec3 functionPlace(vec3 value, vec3 halfTexel) { return clamp(value, halfTexel, 1.0 - halfTexel); }
+)";
+
+/// The voxel's components that are places in the function.
+std::string placeInGlsl(int voxelComponents)
+{
+    constexpr std::array kPlaces{"vec3(s.voxel.r, 0.0, 0.0)", "vec3(s.voxel.rg, 0.0)", "s.voxel.rgb",
+                                 "s.voxel.rgb"};
+    return kPlaces.at(static_cast<std::size_t>(voxelComponents - 1));
+}
+
+/// What a texel of the function stands for.
+const char* colorOfTexelGlsl(int components)
+{
+    constexpr std::array kColors{
+        "vec4 texelColor1(vec4 texel) { return vec4(texel.rrr, 1.0); }",
+        "vec4 texelColor2(vec4 texel) { return texel.rrrg; }",
+        "vec4 texelColor3(vec4 texel) { return vec4(texel.rgb, 1.0); }",
+        "vec4 texelColor4(vec4 texel) { return texel; }",
+    };
+    return kColors.at(static_cast<std::size_t>(components - 1));
+}
+
+class OpacityMapStyle final : public Style
+{
+public:
+    explicit OpacityMapStyle(OpacityMap fields) : fields_(std::move(fields)) {}
+
+    bool replacesColor() const override { return true; }
+    void apply(const StyleSurroundings&, SampleBatch& samples) const override;
+    void write(GlslChain& chain) const override;
+
+private:
+    void applyFunction(SampleBatch& samples) const;
+    float halfTexel(int axis) const
+    {
+        return 0.5f / static_cast<float>(fields_.transferFunction->size[axis]);
+    }
+
+    OpacityMap fields_;
+};
+
+void OpacityMapStyle::apply(const StyleSurroundings&, SampleBatch& samples) const
+{
+    if (fields_.transferFunction) {
+        applyFunction(samples);
+        return;
+    }
+    firstColor(fields_.voxelComponents, samples);
+    if (!fields_.opaqueAtZero) return;
+    for (float& opacity : samples.Ov)
+        opacity = 1.0f - opacity;
+}
+
+void OpacityMapStyle::applyFunction(SampleBatch& samples) const
+{
+    BatchVectors place{};
+    for (int axis = 0; axis < std::min(fields_.voxelComponents, 3); ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        for (std::size_t i = 0; i < kBatchSize; ++i)
+            place[a][i] = samples.voxel[a][i];
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const float half = halfTexel(axis);
+        for (float& coordinate : place[static_cast<std::size_t>(axis)])
+            coordinate = std::clamp(coordinate, half, 1.0f - half);
+    }
+    std::array<BatchFloats, 4> texels{};
+    const int components = fields_.transferFunction->components;
+    sampleTexture(*fields_.transferFunction, samples.count, place, texels);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        samples.Cv[channel] = components < 3 ? texels[0] : texels[channel];
+    if (components == 2 || components == 4)
+        samples.Ov = texels[static_cast<std::size_t>(components - 1)];
+    else
+        samples.Ov.fill(1.0f);
+    if (fields_.voxelComponents < 4) return;
+    for (std::size_t i = 0; i < kBatchSize; ++i)
+        samples.Ov[i] *= samples.voxel[3][i];
+}
+
+void OpacityMapStyle::write(GlslChain& chain) const
+{
+    if (!fields_.transferFunction) {
+        chain.statement("color = firstColor" + std::to_string(fields_.voxelComponents) + "(s.voxel);");
+        if (!fields_.opaqueAtZero) return;
+        chain.function("opaqueAtZero", kWithoutFunctionGlsl);
+        chain.step("opaqueAtZero", {});
+        return;
+    }
+    const int components = fields_.transferFunction->components;
+    const std::string colorOf = "texelColor" + std::to_string(components);
+    chain.function("functionPlace", kPlaceGlsl);
+    chain.function(colorOf, colorOfTexelGlsl(components));
+    const std::string half = chain.uniform(glm::vec3(halfTexel(0), halfTexel(1), halfTexel(2)));
+    const std::string place = "functionPlace(" + placeInGlsl(fields_.voxelComponents) + ", " + half + ")";
+    const std::string texel = "styleTexture(" + chain.texture(fields_.transferFunction) + ", " + place + ")";
+    chain.statement("color = " + colorOf + "(" + texel + ");");
+    if (fields_.voxelComponents == 4) chain.statement("color.a *= s.voxel.a;");
+}
+
+} // namespace
+
+std::shared_ptr<const Style> makeStyle(OpacityMap fields)
+{
+    return std::make_shared<OpacityMapStyle>(std::move(fields));
+}
+
+} // namespace vo

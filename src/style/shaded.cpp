@@ -1,0 +1,139 @@
+#include "style/glsl_chain.h"
+#include "style/power.h"
+#include "style/shine.h"
+#include "style/styles.h"
+#include "style/surface_normals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vo {
+
+namespace {
+
+// Cg = CE + sum of att spot IL (Ia CD Ca + I CD (N.L) + I CS (N.H)^(128 shininess)), at most 1, where
+// products below 0 are 0; Og = Ov (1 - transparency).
+const char* const kGlsl = R"(
+vec4 shaded(vec4 color, StyleSample s, vec3 n, vec3 CD, vec3 CE, vec3 CS, float Ca, float exponent, float opacity)
+{
+    vec3 sum = CE;
+    for (int i = 0; i < lightCount; ++i) {
+        vec3 L = directionTo(lights[i], s.position);
+        vec3 H = L + s.V;
+        float size = length(H);
+        float nH = size > 0.0 ? dot(n, H) / size : 0.0;
+        float specular = nH > 0.0 ? raised(nH, exponent) : 0.0;
+        vec3 I = lights[i].intensity * (max(dot(n, L), 0.0) * CD + specular * CS);
+        sum += strengthOf(lights[i], L, s.position) * lights[i].color * (lights[i].ambientIntensity * Ca * CD + I);
+    }
+    return vec4(min(sum, 1.0), color.a * opacity);
+}
+)";
+
+class ShadedStyle final : public Style
+{
+public:
+    explicit ShadedStyle(const Shaded& fields) : fields_(fields), normals_(fields.surfaceNormals) {}
+
+    bool needsNormal() const override { return fields_.lighting && !normals_.given(); }
+    bool needsPosition() const override { return fields_.lighting; }
+    const VoxelTexture* surfaceNormals() const override
+    {
+        return fields_.lighting ? normals_.texture() : nullptr;
+    }
+    void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const override;
+    void write(GlslChain& chain) const override;
+
+private:
+    void light(const StyleSurroundings& surroundings, SampleBatch& samples) const;
+    void addLight(const StyleLight& light, const SampleBatch& samples, const BatchVectors& n,
+                  const BatchVectors& CD, BatchVectors& sum) const;
+
+    Shaded fields_;
+    SurfaceNormals normals_;
+};
+
+/// (N.H)^exponent, 0 where N.H is.
+void specularOf(const SampleBatch& samples, const BatchVectors& n, const BatchVectors& L, float exponent,
+                BatchFloats& specular)
+{
+    BatchVectors H;
+    BatchFloats nH, square;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < kBatchSize; ++i)
+            H[axis][i] = L[axis][i] + samples.V[axis][i];
+    facing(n, H, nH);
+    facing(H, H, square);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(samples.count); ++i)
+        specular[i] = nH[i] > 0.0f ? raised(nH[i] / std::sqrt(square[i]), exponent) : 0.0f;
+}
+
+void ShadedStyle::addLight(const StyleLight& light, const SampleBatch& samples, const BatchVectors& n,
+                           const BatchVectors& CD, BatchVectors& sum) const
+{
+    Shine shine;
+    BatchFloats nL, specular{};
+    shineOf(light, samples, shine);
+    facing(n, shine.L, nL);
+    if (fields_.specular != glm::vec3(0.0f))
+        specularOf(samples, n, shine.L, 128.0f * fields_.shininess, specular);
+    const float ambient = light.ambientIntensity * fields_.ambientIntensity;
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto c = static_cast<std::size_t>(channel);
+        const float glow = fields_.specular[channel] * light.intensity;
+        for (std::size_t i = 0; i < kBatchSize; ++i) {
+            const float diffuse = (ambient + light.intensity * std::max(nL[i], 0.0f)) * CD[c][i];
+            sum[c][i] += shine.strength[i] * light.color[channel] * (diffuse + glow * specular[i]);
+        }
+    }
+}
+
+void ShadedStyle::light(const StyleSurroundings& surroundings, SampleBatch& samples) const
+{
+    BatchVectors room;
+    const BatchVectors& n = normals_.of(samples, room);
+    const BatchVectors CD = samples.Cv;
+    for (int channel = 0; channel < 3; ++channel)
+        samples.Cv[static_cast<std::size_t>(channel)].fill(fields_.emissive[channel]);
+    for (const StyleLight& light : surroundings.lights)
+        addLight(light, samples, n, CD, samples.Cv);
+    for (BatchFloats& channel : samples.Cv)
+        for (float& value : channel)
+            value = std::min(value, 1.0f);
+}
+
+void ShadedStyle::apply(const StyleSurroundings& surroundings, SampleBatch& samples) const
+{
+    if (fields_.hasMaterial)
+        for (int channel = 0; channel < 3; ++channel)
+            samples.Cv[static_cast<std::size_t>(channel)].fill(fields_.diffuse[channel]);
+    if (fields_.lighting) light(surroundings, samples);
+    for (float& opacity : samples.Ov)
+        opacity *= 1.0f - fields_.transparency;
+}
+
+void ShadedStyle::write(GlslChain& chain) const
+{
+    const std::string CD = fields_.hasMaterial ? chain.uniform(fields_.diffuse) : "color.rgb";
+    const std::string opacity = chain.uniform(1.0f - fields_.transparency);
+    if (!fields_.lighting) {
+        chain.statement("color = vec4(" + CD + ", color.a * " + opacity + ");");
+        return;
+    }
+    chain.function("raised", kRaisedGlsl);
+    chain.function("directionTo", kDirectionToGlsl);
+    chain.function("strengthOf", kStrengthOfGlsl);
+    chain.function("shaded", kGlsl);
+    chain.step("shaded",
+               {normals_.write(chain), CD, chain.uniform(fields_.emissive), chain.uniform(fields_.specular),
+                chain.uniform(fields_.ambientIntensity), chain.uniform(128.0f * fields_.shininess), opacity});
+}
+
+} // namespace
+
+std::shared_ptr<const Style> makeStyle(Shaded fields)
+{
+    return std::make_shared<ShadedStyle>(fields);
+}
+
+} // namespace vo
