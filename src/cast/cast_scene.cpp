@@ -1,0 +1,242 @@
+#include "cast/cast_scene.h"
+
+#include "cast/sky.h"
+#include "cast/styled_rays.h"
+#include "core/parallel.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <new>
+
+namespace vo {
+
+namespace {
+
+constexpr int kTileEdge = 32;
+/// Rays end where less than this shows through.
+constexpr float kLeastThrough = 1.0f / 2048.0f;
+
+struct Tile
+{
+    int x, y, width, height;
+};
+
+/// One pixel on its way: colour so far, multiplied by opacity, and how much shows through.
+struct Pixel
+{
+    glm::vec3 color{0.0f};
+    float through = 1.0f;
+    double depth = std::numeric_limits<double>::infinity();
+
+    void add(const glm::vec4& fragment, double at)
+    {
+        color += glm::vec3(fragment) * through;
+        const float before = through;
+        through *= 1.0f - fragment.a;
+        if (before > 0.5f && through <= 0.5f) depth = at;
+    }
+    bool done() const { return through < kLeastThrough; }
+};
+
+/// A volume's walk through the ray at hand.
+struct Stream
+{
+    StyledRay ray;
+    FragmentRun run;
+};
+
+bool isPositive(double number)
+{
+    return number > 0.0 && std::isfinite(number);
+}
+
+bool isDrawn(const StyledVolume& volume)
+{
+    if (!volume.voxels || !isUsable(*volume.voxels) || !isInvertible(volume.worldFromLocal)) return false;
+    for (int axis = 0; axis < 3; ++axis)
+        if (!isPositive(static_cast<double>(volume.dimensions[axis]))) return false;
+    return isPositive(volume.unitLength) && isPositive(volume.spacing) && !volume.chains.empty();
+}
+
+ChainPlan planOf(const StyleChain& chain)
+{
+    ChainPlan plan;
+    plan.chain = &chain;
+    while (plan.withoutNormals < chain.size() && !chain[plan.withoutNormals]->needsNormal())
+        ++plan.withoutNormals;
+    plan.keepsClear =
+        std::all_of(chain.begin(), chain.end(), [](const auto& style) { return style->keepsClear(); });
+    return plan;
+}
+
+CastVolume castVolumeOf(const StyledVolume& styled, const SceneRays& rays)
+{
+    CastVolume volume;
+    volume.styled = &styled;
+    volume.localFromEye = glm::inverse(styled.worldFromLocal) * rays.worldFromEye();
+    for (const glm::dvec4& plane : styled.clipPlanes)
+        volume.eyePlanes.push_back(plane * rays.worldFromEye());
+    for (const StyleChain& chain : styled.chains)
+        volume.plans.push_back(planOf(chain));
+    const VoxelSize& size = styled.voxels->size;
+    const glm::vec3 edges = styled.dimensions / glm::vec3(size.x, size.y, size.z);
+    volume.changeScale = std::min({edges.x, edges.y, edges.z}) / edges;
+    return volume;
+}
+
+/// Colours of the pixels of one tile.
+class TileCaster
+{
+public:
+    TileCaster(const StyledScene& scene, const SceneRays& rays, const std::vector<CastVolume>& volumes)
+        : scene_(scene), rays_(rays)
+    {
+        streams_.reserve(volumes.size());
+        for (const CastVolume& volume : volumes)
+            streams_.push_back({StyledRay(volume), {}});
+    }
+
+    void cast(const Tile& tile, ScenePicture& picture)
+    {
+        for (int y = tile.y; y < tile.y + tile.height; ++y)
+            for (int x = tile.x; x < tile.x + tile.width; ++x)
+                write(castPixel(x, y), x, y, picture);
+    }
+
+private:
+    Pixel castPixel(int x, int y)
+    {
+        const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
+        active_.clear();
+        for (Stream& stream : streams_)
+            if (stream.ray.begin(ray, rays_.depths()) && stream.ray.next(stream.run))
+                active_.push_back(&stream);
+        Pixel pixel;
+        while (!active_.empty() && !pixel.done()) {
+            const auto nearest = nearestStream();
+            Stream& stream = **nearest;
+            addUntil(stream, limitOf(nearest), pixel);
+            if (stream.run.atEnd() && !pixel.done() && !stream.ray.next(stream.run)) active_.erase(nearest);
+        }
+        const glm::vec4 behind =
+            skyColor(scene_.background, glm::dmat3(rays_.worldFromEye()) * ray.direction);
+        pixel.color += glm::vec3(behind) * pixel.through;
+        pixel.through *= 1.0f - behind.a;
+        return pixel;
+    }
+
+    static double depthOf(const Stream& stream)
+    {
+        return stream.run.depth[static_cast<std::size_t>(stream.run.next)];
+    }
+
+    /// The stream whose next fragment is nearest: at equal depths the one that the scene has first.
+    std::vector<Stream*>::iterator nearestStream()
+    {
+        return std::min_element(active_.begin(), active_.end(),
+                                [](const Stream* a, const Stream* b) { return depthOf(*a) < depthOf(*b); });
+    }
+
+    /// The depth of the nearest fragment of the other streams.
+    double limitOf(std::vector<Stream*>::iterator nearest)
+    {
+        double limit = std::numeric_limits<double>::infinity();
+        for (auto other = active_.begin(); other != active_.end(); ++other)
+            if (other != nearest) limit = std::min(limit, depthOf(**other));
+        return limit;
+    }
+
+    static void addUntil(Stream& stream, double limit, Pixel& pixel)
+    {
+        FragmentRun& run = stream.run;
+        do {
+            const auto i = static_cast<std::size_t>(run.next++);
+            pixel.add(run.color[i], run.depth[i]);
+        } while (!run.atEnd() && !pixel.done() && depthOf(stream) < limit);
+    }
+
+    static void write(const Pixel& pixel, int x, int y, ScenePicture& picture)
+    {
+        const std::size_t index = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(x);
+        float* const rgba = picture.rgba.data() + 4 * index;
+        for (int c = 0; c < 3; ++c)
+            rgba[c] = pixel.color[c];
+        rgba[3] = 1.0f - pixel.through;
+        picture.depth[index] = static_cast<float>(pixel.depth);
+    }
+
+    const StyledScene& scene_;
+    const SceneRays& rays_;
+    std::vector<Stream> streams_;
+    std::vector<Stream*> active_;
+};
+
+std::vector<Tile> tilesOf(int width, int height)
+{
+    std::vector<Tile> tiles;
+    for (int y = 0; y < height; y += kTileEdge)
+        for (int x = 0; x < width; x += kTileEdge)
+            tiles.push_back({x, y, std::min(kTileEdge, width - x), std::min(kTileEdge, height - y)});
+    return tiles;
+}
+
+void clear(const StyledScene& scene, ScenePicture& picture)
+{
+    picture.width = std::max(scene.width, 0);
+    picture.height = std::max(scene.height, 0);
+    const auto pixels =
+        static_cast<std::uint64_t>(picture.width) * static_cast<std::uint64_t>(picture.height);
+    if (pixels > picture.rgba.max_size() / 4) throw std::bad_alloc();
+    picture.rgba.assign(4 * static_cast<std::size_t>(pixels), 0.0f);
+    picture.depth.assign(static_cast<std::size_t>(pixels), std::numeric_limits<float>::infinity());
+}
+
+} // namespace
+
+struct SceneCaster::Private
+{
+    std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> voxels; ///< by serial
+
+    std::vector<CastVolume> volumesOf(const StyledScene& scene, const SceneRays& rays, int threads)
+    {
+        std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> used;
+        std::vector<CastVolume> volumes;
+        for (const StyledVolume& styled : scene.volumes) {
+            if (!isDrawn(styled)) continue;
+            volumes.push_back(castVolumeOf(styled, rays));
+            const std::uint64_t serial = styled.voxels->serial;
+            auto& kept = used[serial];
+            if (!kept && voxels.contains(serial)) kept = voxels[serial];
+            if (!kept) kept = std::make_shared<PaddedVoxels>(*styled.voxels, threads);
+            volumes.back().voxels = kept;
+        }
+        voxels = std::move(used);
+        return volumes;
+    }
+};
+
+SceneCaster::SceneCaster() : d(std::make_unique<Private>()) {}
+SceneCaster::~SceneCaster() = default;
+
+void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& picture)
+{
+    clear(scene, picture);
+    const std::optional<SceneRays> rays = SceneRays::of(scene);
+    if (!rays) return;
+    const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, threads);
+    const std::vector<Tile> tiles = tilesOf(scene.width, scene.height);
+    parallelFor(tiles.size(), threads,
+                [&](std::size_t i) { TileCaster(scene, *rays, volumes).cast(tiles[i], picture); });
+}
+
+void castScene(const StyledScene& scene, int threads, ScenePicture& picture)
+{
+    SceneCaster().cast(scene, threads, picture);
+}
+
+} // namespace vo

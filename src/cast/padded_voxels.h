@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/kept_array.h"
+#include "style/sample_batch.h"
+#include "style/voxel_texture.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace vo {
+
+/// One number a voxel, as the texture has it, with kPadding voxels more on all sides that say what is outside
+/// (the edge again, or what repeats): neighbours are read without looking where the volume ends.
+class PaddedVoxels
+{
+public:
+    static constexpr int kPadding = 2;
+
+    /// Of a texture that isUsable(): its one component, or the mean of the first three (two components: the
+    /// first). In up to `threads` threads. Throws std::bad_alloc.
+    PaddedVoxels(const VoxelTexture& texture, int threads);
+
+    /// The first `count` values at places (S, T, R), filtered as the texture says.
+    void values(int count, const BatchVectors& place, BatchFloats& value) const;
+    /// How much the value changes along S, T and R: half of what it is a voxel farther less what it is a
+    /// voxel before.
+    void changes(int count, const BatchVectors& place, BatchVectors& change) const;
+
+    const VoxelSize& size() const { return size_; }
+    std::size_t bytes() const { return memory_.size(); }
+
+private:
+    struct Corner;
+    Corner cornerAt(const BatchVectors& place, std::size_t i) const;
+    template <class T>
+    void fill(const VoxelTexture& texture, int threads);
+    template <class T>
+    void valuesOf(int count, const BatchVectors& place, BatchFloats& value) const;
+    template <class T>
+    void changesOf(int count, const BatchVectors& place, BatchVectors& change) const;
+
+    VoxelSize size_;
+    TexelKind kind_ = TexelKind::uint8;
+    bool nearest_ = false;
+    std::array<bool, 3> repeats_{};
+    float unit_ = 1.0f; ///< of a stored number
+    std::ptrdiff_t row_ = 0, slice_ = 0;
+    KeptArray<std::byte> memory_;
+};
+
+/// True if the texture has all the texels it says, one to four components each.
+bool isUsable(const VoxelTexture& texture);
+
+} // namespace vo

@@ -1,0 +1,303 @@
+#include "cast/cast_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+namespace {
+
+using vo::ScenePicture;
+using vo::StyledScene;
+using vo::StyledVolume;
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::shared_ptr<vo::VoxelTexture> textureOf(const vo::VoxelSize& size, int components,
+                                            const std::function<float(const glm::vec3&, int)>& value)
+{
+    auto texture = std::make_shared<vo::VoxelTexture>();
+    texture->size = size;
+    texture->components = components;
+    texture->kind = vo::TexelKind::float32;
+    std::vector<float> texels;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                for (int c = 0; c < components; ++c) {
+                    const glm::vec3 place = (glm::vec3(x, y, z) + 0.5f) / glm::vec3(size.x, size.y, size.z);
+                    texels.push_back(value(place, c));
+                }
+    texture->texels.resize(texels.size() * sizeof(float));
+    std::memcpy(texture->texels.data(), texels.data(), texture->texels.size());
+    return texture;
+}
+
+/// Luminance and alpha, everywhere the same.
+std::shared_ptr<vo::VoxelTexture> constantTexture(float luminance, float alpha)
+{
+    return textureOf({8, 8, 8}, 2, [=](const glm::vec3&, int c) { return c == 0 ? luminance : alpha; });
+}
+
+/// A box of 8 voxels a side, sampled once a voxel.
+StyledVolume boxOf(std::shared_ptr<const vo::VoxelTexture> texture,
+                   const glm::vec3& dimensions = glm::vec3(8.0f))
+{
+    StyledVolume volume;
+    volume.voxels = std::move(texture);
+    volume.dimensions = dimensions;
+    volume.unitLength = volume.spacing = 1.0;
+    return volume;
+}
+
+/// Orthographic, from 20 along +z: planes lie at half voxels of boxes round whole places.
+StyledScene orthoScene(int size = 40, double half = 10.0)
+{
+    StyledScene scene;
+    scene.width = scene.height = size;
+    scene.eyeFromWorld = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -20.0});
+    scene.clipFromEye = glm::ortho(-half, half, -half, half, 1.0, 100.0);
+    return scene;
+}
+
+StyledScene perspectiveScene(int size = 40)
+{
+    StyledScene scene = orthoScene(size);
+    scene.clipFromEye = glm::perspective(kPi / 3.0, 1.0, 1.0, 100.0);
+    return scene;
+}
+
+ScenePicture castOf(const StyledScene& scene, int threads = 1)
+{
+    ScenePicture picture;
+    vo::castScene(scene, threads, picture);
+    return picture;
+}
+
+glm::vec4 pixelOf(const ScenePicture& picture, int x, int y)
+{
+    const float* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * picture.width + x)];
+    return {rgba[0], rgba[1], rgba[2], rgba[3]};
+}
+
+glm::vec4 middleOf(const ScenePicture& picture)
+{
+    return pixelOf(picture, picture.width / 2, picture.height / 2);
+}
+
+float middleDepth(const ScenePicture& picture)
+{
+    return picture.depth[static_cast<std::size_t>(picture.height / 2 * picture.width + picture.width / 2)];
+}
+
+TEST(castScene, constantVolumeIsAsOpaqueAsItIsLong)
+{
+    for (const double spacing : {1.0, 0.5, 0.125}) {
+        StyledScene scene = orthoScene();
+        scene.background.opacity = 0.0f;
+        scene.volumes.push_back(boxOf(constantTexture(0.5f, 0.1f)));
+        scene.volumes[0].spacing = spacing;
+        const glm::vec4 pixel = middleOf(castOf(scene));
+        const double opacity = 1.0 - std::pow(0.9, 8.0);
+        EXPECT_NEAR(pixel.a, opacity, 1e-5);
+        EXPECT_NEAR(pixel.r, 0.5 * opacity, 1e-5);
+    }
+}
+
+TEST(castScene, lengthIsMeasuredInTheVolumesOwnSpace)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f)));
+    scene.volumes[0].worldFromLocal = glm::scale(glm::dmat4(1.0), {1.0, 1.0, 2.0});
+    EXPECT_NEAR(middleOf(castOf(scene)).r, 1.0 - std::pow(0.9, 8.0), 1e-5);
+}
+
+TEST(castScene, slantedRaysInPerspectiveAreLonger)
+{
+    StyledScene scene = perspectiveScene();
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f), {80.0f, 80.0f, 8.0f}));
+    const ScenePicture picture = castOf(scene);
+    for (const int x : {0, 10, 20, 39}) {
+        const double slope = std::tan(kPi / 6.0);
+        const glm::dvec3 ray(slope * ((x + 0.5) / 20.0 - 1.0), slope * (0.5 / 20.0), 1.0);
+        EXPECT_NEAR(pixelOf(picture, x, 20).r, 1.0 - std::pow(0.9, 8.0 * glm::length(ray)), 1e-4);
+    }
+}
+
+TEST(castScene, backgroundShowsThroughWhatIsClear)
+{
+    StyledScene scene = orthoScene();
+    scene.background.sky = {{0.25f, 0.5f, 0.75f}};
+    scene.volumes.push_back(boxOf(constantTexture(0.0f, 0.1f)));
+    const ScenePicture picture = castOf(scene);
+    EXPECT_EQ(pixelOf(picture, 0, 0), glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
+    const double through = std::pow(0.9, 8.0);
+    EXPECT_NEAR(middleOf(picture).g, 0.5 * through, 1e-5);
+    EXPECT_NEAR(middleOf(picture).a, 1.0, 1e-6);
+}
+
+TEST(castScene, skyAndGroundChangeByAngle)
+{
+    StyledScene scene;
+    scene.width = 1;
+    scene.height = 181;
+    scene.clipFromEye = glm::perspective(kPi / 2.0, 1.0 / 181.0, 1.0, 10.0);
+    scene.background.skyAngles = {1.0f, 1.5f};
+    scene.background.sky = {glm::vec3(1.0f), {1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}};
+    scene.background.groundAngles = {1.2f};
+    scene.background.ground = {glm::vec3(0.0f), {0.0f, 0.0f, 1.0f}};
+    const ScenePicture picture = castOf(scene);
+    for (int y = 0; y < 181; ++y) {
+        const double angle = kPi / 2.0 - std::atan((y + 0.5) / 90.5 - 1.0); // from the zenith
+        glm::dvec3 expected(0.0, 1.0, 0.0);
+        if (kPi - angle <= 1.2)
+            expected = {0.0, 0.0, (kPi - angle) / 1.2};
+        else if (angle < 1.0)
+            expected = {1.0, 1.0 - angle, 1.0 - angle};
+        else if (angle < 1.5)
+            expected = {1.0 - (angle - 1.0) / 0.5, (angle - 1.0) / 0.5, 0.0};
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(pixelOf(picture, 0, y)[c], expected[c], 1e-3) << "row " << y << " channel " << c;
+    }
+}
+
+TEST(castScene, ballIsARoundDisc)
+{
+    StyledScene scene = orthoScene(100);
+    scene.volumes.push_back(boxOf(
+        textureOf({32, 32, 32}, 1,
+                  [](const glm::vec3& place, int) { return glm::length(place - 0.5f) < 0.4f ? 1.0f : 0.0f; }),
+        glm::vec3(16.0f)));
+    scene.volumes[0].unitLength = scene.volumes[0].spacing = 0.5;
+    const ScenePicture picture = castOf(scene);
+    double inside = 0.0;
+    for (int y = 0; y < 100; ++y)
+        for (int x = 0; x < 100; ++x) {
+            const double radius = std::hypot((x + 0.5) / 5.0 - 10.0, (y + 0.5) / 5.0 - 10.0);
+            const float red = pixelOf(picture, x, y).r;
+            inside += red > 0.5f ? 1.0 : 0.0;
+            EXPECT_TRUE(radius > 5.6 || red > 0.99f) << x << " " << y;
+            EXPECT_TRUE(radius < 7.2 || red == 0.0f) << x << " " << y;
+        }
+    EXPECT_NEAR(inside / 25.0, kPi * 6.4 * 6.4, 0.05 * kPi * 6.4 * 6.4);
+}
+
+TEST(castScene, overlappingVolumesAreMergedByDepth)
+{
+    // Red from z = 4 down to -4, green from 0 down to -8: red, then both in turn, then green.
+    StyledScene scene = orthoScene();
+    const auto colored = [](int channel) {
+        return textureOf({8, 8, 8}, 4, [=](const glm::vec3&, int c) {
+            return c == 3 ? 0.1f : c == channel ? 1.0f : 0.0f;
+        });
+    };
+    scene.volumes = {boxOf(colored(1)), boxOf(colored(0))};
+    scene.volumes[0].worldFromLocal = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -4.0});
+    double through = 1.0;
+    glm::dvec2 expected(0.0);
+    for (double z = 3.5; z > -8.0; z -= 1.0) {
+        if (z < 0.0) expected.y += through * 0.1, through *= 0.9;
+        if (z > -4.0) expected.x += through * 0.1, through *= 0.9;
+    }
+    const glm::vec4 pixel = middleOf(castOf(scene));
+    EXPECT_NEAR(pixel.r, expected.x, 1e-5);
+    EXPECT_NEAR(pixel.g, expected.y, 1e-5);
+}
+
+TEST(castScene, depthIsWhereHalfIsOpaque)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.2f)));
+    const ScenePicture picture = castOf(scene);
+    // 1 - 0.8^4 is the first above 1/2: planes lie at 16.5, 17.5, 18.5 and 19.5.
+    EXPECT_FLOAT_EQ(middleDepth(picture), 19.5f);
+    EXPECT_EQ(picture.depth[0], std::numeric_limits<float>::infinity());
+}
+
+TEST(castScene, clipPlanesCutVolumes)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f)));
+    scene.volumes[0].clipPlanes = {{0.0, 0.0, -1.0, 1.0}, {1.0, 0.0, 0.0, 2.0}};
+    const ScenePicture picture = castOf(scene);
+    EXPECT_NEAR(middleOf(picture).r, 1.0 - std::pow(0.9, 5.0), 1e-5);
+    EXPECT_EQ(pixelOf(picture, 15, 20).r, 0.0f);
+    EXPECT_GT(pixelOf(picture, 16, 20).r, 0.0f);
+}
+
+TEST(castScene, nearAndFarPlanesCutVolumes)
+{
+    StyledScene scene = orthoScene();
+    scene.clipFromEye = glm::ortho(-10.0, 10.0, -10.0, 10.0, 18.0, 23.0);
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f)));
+    EXPECT_NEAR(middleOf(castOf(scene)).r, 1.0 - std::pow(0.9, 5.0), 1e-5);
+}
+
+TEST(castScene, threadsChangeNoBit)
+{
+    StyledScene scene = perspectiveScene(150);
+    scene.volumes.push_back(boxOf(textureOf({20, 20, 20}, 1, [](const glm::vec3& p, int) {
+        return 0.5f + 0.5f * std::sin(9.0f * p.x + 5.0f * p.y * p.z);
+    })));
+    scene.volumes[0].spacing = 0.3;
+    const ScenePicture one = castOf(scene, 1);
+    const ScenePicture many = castOf(scene, 4);
+    EXPECT_EQ(one.rgba, many.rgba);
+    EXPECT_EQ(one.depth, many.depth);
+}
+
+TEST(castScene, nonsenseIsLeftOut)
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto empty = std::make_shared<vo::VoxelTexture>();
+    const auto spoiled = [&](const std::function<void(StyledScene&)>& spoil) {
+        StyledScene scene = perspectiveScene(8);
+        scene.background.sky = {{0.0f, 0.0f, 1.0f}};
+        scene.volumes.push_back(boxOf(constantTexture(1.0f, 1.0f)));
+        spoil(scene);
+        return castOf(scene);
+    };
+    const std::vector<std::function<void(StyledVolume&)>> spoils{
+        [&](StyledVolume& v) { v.voxels = nullptr; },
+        [&](StyledVolume& v) { v.voxels = empty; },
+        [&](StyledVolume& v) { v.dimensions.y = 0.0f; },
+        [&](StyledVolume& v) { v.dimensions.x = static_cast<float>(nan); },
+        [&](StyledVolume& v) { v.worldFromLocal[1][1] = nan; },
+        [&](StyledVolume& v) { v.worldFromLocal = glm::dmat4(0.0); },
+        [&](StyledVolume& v) { v.spacing = nan; },
+        [&](StyledVolume& v) { v.spacing = 1e-300; },
+        [&](StyledVolume& v) { v.unitLength = 0.0; },
+        [&](StyledVolume& v) { v.chains.clear(); },
+    };
+    for (const auto& spoil : spoils)
+        EXPECT_EQ(middleOf(spoiled([&](StyledScene& s) { spoil(s.volumes[0]); })), glm::vec4(0, 0, 1, 1));
+    EXPECT_EQ(middleOf(spoiled([&](StyledScene& s) { s.clipFromEye[0][0] = nan; })), glm::vec4(0.0f));
+    EXPECT_EQ(middleOf(spoiled([&](StyledScene& s) { s.eyeFromWorld = glm::dmat4(0.0); })), glm::vec4(0.0f));
+    EXPECT_TRUE(spoiled([&](StyledScene& s) { s.width = 0; }).rgba.empty());
+    EXPECT_TRUE(spoiled([&](StyledScene& s) { s.height = -5; }).rgba.empty());
+}
+
+TEST(castScene, oneVoxelIsAConstantVolume)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(textureOf({1, 1, 1}, 1, [](const glm::vec3&, int) { return 0.25f; })));
+    scene.volumes[0].unitLength = 8.0;
+    EXPECT_NEAR(middleOf(castOf(scene)).a, 1.0, 1e-6);
+    EXPECT_NEAR(middleOf(castOf(scene)).r, 0.25 * 0.25, 1e-5);
+}
+
+TEST(castScene, valuesThatAreNoNumbersDoNoHarm)
+{
+    StyledScene scene = orthoScene(8);
+    scene.volumes.push_back(boxOf(textureOf({4, 4, 4}, 1, [](const glm::vec3& p, int) {
+        return p.x < 0.5f ? std::numeric_limits<float>::quiet_NaN() : std::numeric_limits<float>::infinity();
+    })));
+    for (const float number : castOf(scene).rgba)
+        EXPECT_FALSE(std::isnan(number));
+}
+
+} // namespace
