@@ -62,10 +62,12 @@ bool isDrawn(const StyledVolume& volume)
     return isPositive(volume.unitLength) && isPositive(volume.spacing) && !volume.chains.empty();
 }
 
-ChainPlan planOf(const StyleChain& chain)
+ChainPlan planOf(const StyleChain& whole)
 {
     ChainPlan plan;
-    plan.chain = &chain;
+    plan.chain = effectiveChain(whole);
+    const StyleChain& chain = plan.chain;
+    plan.beginsWithVoxel = chain.empty() || !chain.front()->replacesColor();
     while (plan.withoutNormals < chain.size() && !chain[plan.withoutNormals]->needsNormal())
         ++plan.withoutNormals;
     plan.keepsClear =

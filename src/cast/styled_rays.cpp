@@ -102,7 +102,7 @@ void StyledRay::takeChunk(int count)
         volume_.voxels->values(count, chunk_.place, chunk_.voxel[0]);
     else
         sampleTexture(texture, count, chunk_.place, chunk_.voxel);
-    const bool dropsClear = volume_.plans[0].keepsClear;
+    const bool dropsClear = volume_.plans[0].keepsClear && volume_.plans[0].beginsWithVoxel;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         if (dropsClear && firstOpacity(texture.components, chunk_, i) <= 0.0f) continue;
         const auto to = static_cast<std::size_t>(batch_.count++);
@@ -117,7 +117,7 @@ void StyledRay::takeChunk(int count)
 void StyledRay::shade()
 {
     const ChainPlan& plan = volume_.plans[0];
-    const StyleChain& chain = *plan.chain;
+    const StyleChain& chain = plan.chain;
     firstColor(volume_.styled->voxels->components, batch_);
     placeSamples();
     applyStyles(chain, 0, plan.withoutNormals);

