@@ -14,7 +14,7 @@ packages=(
     # tetrahedra of closed surfaces
     libcgal-dev
     # files
-    libtiff-dev libpng-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev libpugixml-dev
+    libtiff-dev libpng-dev libjpeg-dev zlib1g-dev libteem-dev libnifti-dev libgdcm-dev libpugixml-dev
     # demos: windows; drawing without a window or a graphics card
     libglfw3-dev libegl-dev libegl1 libgl1 libgl1-mesa-dri libosmesa6
     # tests: the framework, a display of their own

@@ -14,7 +14,7 @@ constexpr const char* kHelp =
 
 Prints for each volume its format, sizes, type, spacing, orientation, range,
 mean and histogram. FILE is a file that the other programs read (TIFF, NRRD,
-NIfTI, MetaImage, DICOM, PNG) or a folder with a DICOM series. Values that are
+NIfTI, MetaImage, DICOM, PNG, JPEG) or a folder with a DICOM series. Values that are
 not numbers are counted apart; ranges and means are those of the finite ones.
 In the histogram the length of a bar goes by the square root of the count.
 

@@ -27,6 +27,7 @@ HOMES = [
     ("OpenGL", r"\bgl(?:\(\)\.|->|\.)?[A-Z]\w*\s*\(", r"^(GL/|glad/)", ["src/draw/", "demos/", "tests/"]),
     ("TIFF", None, r"^tiff\w*\.h$", ["util/volume_io/", "tests/util/"]),
     ("PNG", None, r"^png\w*\.h$", ["util/volume_io/", "tests/util/"]),
+    ("JPEG", None, r"^j(peglib|error)\.h$", ["util/volume_io/", "tests/util/"]),
     ("teem", None, r"^teem/", ["util/volume_io/"]),
     ("libnifti", None, r"^nifti", ["util/volume_io/"]),
     ("GDCM", None, r"^gdcm", ["util/volume_io/", "tests/util/"]),

@@ -44,6 +44,7 @@ FAULTS = [
     ("dependency_homes", "src/sort/order.cpp", "#include <GL/gl.h>\n", "OpenGL lives in"),
     ("dependency_homes", "util/volume_io/a.cpp", "#include <glad/gl.h>\n", "OpenGL lives in"),
     ("dependency_homes", "demos/common/picture.cpp", "#include <png.h>\n", "PNG lives in"),
+    ("dependency_homes", "demos/common/picture.cpp", "#include <jpeglib.h>\n", "JPEG lives in"),
     ("dependency_homes", "util/mkcubes.cpp", "#include <tiffio.h>\n", "TIFF lives in"),
     ("dependency_homes", "demos/voglSimple.cpp", "void f() { glfwInit(); }\n", "GLFW is called in"),
     ("dependency_homes", "demos/common/window.cpp", "#include <EGL/egl.h>\n", "EGL lives in"),

@@ -40,7 +40,7 @@ std::string readable(std::span<const std::byte> bytes)
     return '"' + printable(std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size())) + '"';
 }
 
-enum class FileKind { tiff, nrrd, nifti, metaImage, dicom, png, unknown };
+enum class FileKind { tiff, nrrd, nifti, metaImage, dicom, png, jpeg, unknown };
 
 /// The first bytes of a file, and those of what it decompresses to where it is a gzip file.
 struct FileStart
@@ -90,6 +90,7 @@ FileKind kindByContent(const FileStart& start)
     using namespace std::string_view_literals;
     if (beginsLikeTiff(start.bytes)) return FileKind::tiff;
     if (holds(start.bytes, 0, "\x89PNG\r\n\x1a\n"sv)) return FileKind::png;
+    if (holds(start.bytes, 0, "\xff\xd8\xff"sv)) return FileKind::jpeg;
     if (holds(start.bytes, 0, "NRRD000"sv)) return FileKind::nrrd;
     if (beginsLikeNifti(start.unpacked.empty() ? start.bytes : start.unpacked)) return FileKind::nifti;
     if (holds(start.bytes, 128, "DICM"sv)) return FileKind::dicom;
@@ -281,9 +282,10 @@ Result<VolumeFile> openVolume(const std::string& path)
     case FileKind::metaImage: return openMetaImageVolume(path);
     case FileKind::dicom: return openDicomFile(path);
     case FileKind::png: return openPngVolume(path);
+    case FileKind::jpeg: return openJpegVolume(path);
     case FileKind::unknown: break;
     }
-    return Failure{path + ": expected a volume (TIFF, NRRD, NIfTI, MetaImage, DICOM or PNG), found " +
+    return Failure{path + ": expected a volume (TIFF, NRRD, NIfTI, MetaImage, DICOM, PNG or JPEG), found " +
                    readable(std::span(start->bytes).first(std::min<std::size_t>(start->bytes.size(), 4)))};
 }
 

@@ -128,13 +128,14 @@ private:
 ///  - TIFF, classic or BigTIFF: a stack of pages (page k is slice z = k, the first row of a page is y = 0,
 ///    whatever its orientation tag says; reduced copies and masks are passed over) or SGI's 3D TIFF (one
 ///    directory with ImageDepth above 1).
-///  - NRRD, NIfTI-1 and -2 (also compressed, also as .hdr and .img), MetaImage, DICOM, PNG (one slice).
+///  - NRRD, NIfTI-1 and -2 (also compressed, also as .hdr and .img), MetaImage, DICOM, PNG and JPEG (one
+///  slice).
 /// Volumes that say how they lie in the patient arrive with x to the right, y to the front and z up; all
-/// others, TIFF and PNG among them, in the order of the file. Numbers of types that ChannelType lacks become
-/// float32, with a note. Three channels arrive as RGBA with full alpha (the largest value of the type, 1 for
-/// float), and the description says so. Files that can only be decoded whole are decoded here and kept in
-/// memory. Everything is checked on opening, so that a file that has lost pages or bytes fails here and says
-/// what is missing.
+/// others, TIFF, PNG and JPEG among them, in the order of the file. Numbers of types that ChannelType lacks
+/// become float32, with a note. Three channels arrive as RGBA with full alpha (the largest value of the type,
+/// 1 for float), and the description says so. Files that can only be decoded whole are decoded here and kept
+/// in memory. Everything is checked on opening, so that a file that has lost pages or bytes fails here and
+/// says what is missing.
 Result<VolumeFile> openVolume(const std::string& path);
 
 enum class ByteOrder { littleEndian, bigEndian };
