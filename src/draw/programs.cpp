@@ -2,7 +2,6 @@
 
 #include "core/log.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace vo {
@@ -148,23 +147,6 @@ void main()
 }
 )";
 
-GLuint compile(const GladGLContext& gl, GLenum stage, const std::string& source)
-{
-    const GLuint shader = gl.CreateShader(stage);
-    const char* part = source.c_str();
-    gl.ShaderSource(shader, 1, &part, nullptr);
-    gl.CompileShader(shader);
-    GLint compiled = GL_FALSE;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) {
-        char text[1024] = "";
-        gl.GetShaderInfoLog(shader, sizeof text, nullptr, text);
-        gl.DeleteShader(shader);
-        throw std::runtime_error(std::string("the driver does not compile a shader of the library: ") + text);
-    }
-    return shader;
-}
-
 Program link(const GladGLContext& gl, const ProgramVariant& variant)
 {
     const std::string definitions = programDefinitions(variant);
@@ -206,22 +188,6 @@ std::string programDefinitions(const ProgramVariant& v)
     define(v.flat ? "INTERPOLATION flat" : "INTERPOLATION");
     define("CLIP_DISTANCES " + std::to_string(v.clipDistances));
     return text;
-}
-
-GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText)
-{
-    const GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertexText);
-    const GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, fragmentText);
-    const GLuint program = gl.CreateProgram();
-    gl.AttachShader(program, vertex);
-    gl.AttachShader(program, fragment);
-    gl.LinkProgram(program);
-    gl.DeleteShader(vertex);
-    gl.DeleteShader(fragment);
-    GLint linked = GL_FALSE;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (!linked) throw std::runtime_error("the driver does not link a program of the library");
-    return program;
 }
 
 unsigned ProgramVariant::key() const

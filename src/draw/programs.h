@@ -1,6 +1,7 @@
 #pragma once
 
 #include "draw/context_record.h"
+#include "draw/link_program.h"
 
 #include <string>
 
@@ -38,10 +39,6 @@ std::string programDefinitions(const ProgramVariant& variant);
 /// GLSL for fragment shaders that draw a texture: its uniforms `voxels` and `table`, and vec4 shade(vec4
 /// sampled, vec4 color), what becomes of a sample.
 extern const char* const kShading;
-
-/// A program of two shaders, whole texts with their #version. Throws std::runtime_error with the driver's
-/// words.
-GLuint linkProgram(const GladGLContext& gl, const std::string& vertexText, const std::string& fragmentText);
 
 /// The linked program, compiled on first use in this context.
 const Program& programFor(ContextRecord& context, const ProgramVariant& variant);

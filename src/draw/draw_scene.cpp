@@ -1,0 +1,118 @@
+#include "draw/draw_scene.h"
+
+#include "draw/draw_volumes.h"
+#include "draw/scene_state.h"
+#include "polygonize/slice_stack.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace vo {
+
+namespace {
+
+/// A layer of a volume of the picture.
+struct Step
+{
+    double depth;
+    std::size_t volume, first, count;
+};
+
+/// All layers, the farthest first; at one depth the volume that comes first in the scene is in front.
+std::vector<Step> stepsOf(const std::vector<std::unique_ptr<DrawnVolume>>& volumes, std::size_t count)
+{
+    std::vector<Step> steps;
+    for (std::size_t i = count; i-- > 0;)
+        for (const SliceLayer& layer : volumes[i]->layers())
+            steps.push_back({layer.depth, i, layer.first, layer.count});
+    std::ranges::stable_sort(steps, std::greater<>(), &Step::depth);
+    return steps;
+}
+
+/// One draw for two steps that follow each other in a volume.
+bool joined(Step& step, const Step& next)
+{
+    if (next.volume != step.volume || next.first != step.first + step.count) return false;
+    step.count += next.count;
+    return true;
+}
+
+} // namespace
+
+struct SceneDrawer::Private
+{
+    SceneResources resources;
+    StackSlicer slicer;
+    std::vector<std::unique_ptr<DrawnVolume>> volumes;
+
+    void draw(const StyledScene& scene);
+
+private:
+    std::size_t prepareVolumes(const StyledScene& scene);
+    void drawLayers(std::size_t count);
+    void checkErrors() const;
+};
+
+/// How many there are to draw.
+std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
+{
+    std::size_t count = 0;
+    for (const StyledVolume& volume : scene.volumes) {
+        if (!isDrawn(volume)) continue;
+        if (count == volumes.size()) volumes.push_back(std::make_unique<DrawnVolume>(resources));
+        volumes[count++]->prepare(scene, volume, slicer);
+    }
+    return count;
+}
+
+void SceneDrawer::Private::drawLayers(std::size_t count)
+{
+    const std::vector<Step> steps = stepsOf(volumes, count);
+    std::size_t used = count;
+    for (std::size_t i = 0; i < steps.size();) {
+        Step step = steps[i++];
+        while (i < steps.size() && joined(step, steps[i]))
+            ++i;
+        if (step.volume != used) volumes[step.volume]->use();
+        used = step.volume;
+        volumes[used]->draw(step.first, step.count);
+    }
+}
+
+void SceneDrawer::Private::checkErrors() const
+{
+    if (const GLenum error = resources.context.gl.GetError(); error != GL_NO_ERROR)
+        throw std::runtime_error("drawing a scene: OpenGL says error " + std::to_string(error));
+}
+
+void SceneDrawer::Private::draw(const StyledScene& scene)
+{
+    const GladGLContext& gl = resources.context.gl;
+    const ScopedSceneState state(resources.context);
+    while (gl.GetError() != GL_NO_ERROR) {
+    }
+    gl.Viewport(0, 0, scene.width, scene.height);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
+    gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawLayers(prepareVolumes(scene));
+    resources.textures.endPicture();
+    checkErrors();
+}
+
+SceneDrawer::SceneDrawer() = default;
+SceneDrawer::~SceneDrawer() = default;
+
+void SceneDrawer::draw(const StyledScene& scene)
+{
+    if (!d) d = std::make_unique<Private>();
+    if (!d->resources.context.isCurrent())
+        throw std::runtime_error("scenes are drawn in the context of the first, which is not current");
+    d->draw(scene);
+}
+
+} // namespace vo

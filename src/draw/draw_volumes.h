@@ -1,0 +1,46 @@
+#pragma once
+
+#include "draw/scene_resources.h"
+#include "draw/volume_layers.h"
+#include "draw/volume_programs.h"
+#include "style/styled_scene.h"
+
+#include <memory>
+#include <vector>
+
+namespace vo {
+
+class StackSlicer;
+
+/// A volume of one picture, cut and sent to OpenGL; drawn layer by layer.
+class DrawnVolume
+{
+public:
+    explicit DrawnVolume(SceneResources& resources);
+
+    /// Borrows both until it is drawn.
+    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer);
+    const std::vector<SliceLayer>& layers() const { return layers_.layers; }
+    /// Makes its program, textures and arrays those that draw() uses.
+    void use();
+    void draw(std::size_t first, std::size_t count) const;
+
+private:
+    void bindTextures();
+    void bindSegments(const Segments& segments, int unit);
+    void setView(SceneProgram& program) const;
+
+    SceneResources& resources_;
+    SceneArrays arrays_;
+    VolumeLayers layers_;
+    VolumeProgram texts_;
+    SceneProgram* program_ = nullptr;
+    VoxelTexture chainTable_;
+    const StyledScene* scene_ = nullptr;
+    const StyledVolume* volume_ = nullptr;
+};
+
+/// Whether there is anything of it to draw.
+bool isDrawn(const StyledVolume& volume);
+
+} // namespace vo

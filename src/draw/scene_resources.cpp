@@ -1,0 +1,48 @@
+#include "draw/scene_resources.h"
+
+namespace vo {
+
+SceneArrays::SceneArrays(const SceneContext& context) : context_(context)
+{
+    context_.gl.GenVertexArrays(1, &array_);
+    context_.gl.GenBuffers(1, &records_);
+    context_.gl.GenBuffers(1, &indices_);
+}
+
+SceneArrays::~SceneArrays()
+{
+    if (!context_.isCurrent()) return;
+    context_.gl.DeleteVertexArrays(1, &array_);
+    context_.gl.DeleteBuffers(1, &records_);
+    context_.gl.DeleteBuffers(1, &indices_);
+}
+
+void SceneArrays::send(const float* records, std::size_t floats)
+{
+    const GladGLContext& gl = context_.gl;
+    gl.BindVertexArray(array_);
+    for (GLuint location = 0; attributes_ >> location; ++location)
+        if (attributes_ >> location & 1) gl.DisableVertexAttribArray(location);
+    attributes_ = 0;
+    gl.BindBuffer(GL_ARRAY_BUFFER, records_);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(floats * sizeof(float)), records, GL_STREAM_DRAW);
+}
+
+void SceneArrays::attribute(GLuint location, int count, int first, int stride)
+{
+    const GladGLContext& gl = context_.gl;
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, stride * static_cast<int>(sizeof(float)),
+                           reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(float)));
+    attributes_ |= 1u << location;
+}
+
+void SceneArrays::sendIndices(const std::uint32_t* indices, std::size_t count)
+{
+    const GladGLContext& gl = context_.gl;
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * sizeof(std::uint32_t)), indices,
+                  GL_STREAM_DRAW);
+}
+
+} // namespace vo

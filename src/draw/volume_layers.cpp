@@ -1,0 +1,146 @@
+#include "draw/volume_layers.h"
+
+#include "draw/scene_view_point.h"
+#include "polygonize/slice_stack.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace vo {
+
+namespace {
+
+constexpr double kMostPlanes = 1 << 20;
+constexpr int kTetraValues = 15; ///< place, placeFromLocal, position
+
+glm::dvec3 sizeOf(const StyledVolume& volume)
+{
+    const VoxelSize& size = volume.voxels->size;
+    return {size.x, size.y, size.z};
+}
+
+/// Tetrahedra and their records.
+struct Body
+{
+    std::vector<float> records;
+    std::vector<int> indices;
+    int values = 3;
+    Box bounds;
+
+    TetraView view() const { return {records, values, indices, -1}; }
+};
+
+Body boxBody(const StyledVolume& volume)
+{
+    Body body;
+    body.bounds = {glm::dvec3(0.0), sizeOf(volume)};
+    for (int corner = 0; corner < 8; ++corner)
+        for (int axis = 0; axis < 3; ++axis)
+            body.records.push_back((corner >> axis & 1) ? static_cast<float>(body.bounds.upper[axis]) : 0.0f);
+    body.indices = {0, 1, 2, 4, 3, 2, 1, 7, 5, 4, 7, 1, 6, 7, 4, 2, 1, 2, 4, 7};
+    return body;
+}
+
+/// How places change with positions; zero in a tetrahedron without volume.
+glm::dmat3 placeFromLocal(const std::array<glm::dvec3, 4>& positions, const std::array<glm::dvec3, 4>& places)
+{
+    const glm::dmat3 position(positions[1] - positions[0], positions[2] - positions[0],
+                              positions[3] - positions[0]);
+    const glm::dmat3 place(places[1] - places[0], places[2] - places[0], places[3] - places[0]);
+    if (glm::determinant(position) == 0.0) return glm::dmat3(0.0);
+    return place * glm::inverse(position);
+}
+
+void appendTetra(const StyledVolume& volume, const int* corners, Body& body)
+{
+    std::array<glm::dvec3, 4> positions, places;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto corner = static_cast<std::size_t>(corners[i]);
+        positions[i] = volume.tetras->positions[corner];
+        places[i] = volume.tetras->places[corner];
+    }
+    const glm::dmat3 gauge = placeFromLocal(positions, places);
+    const auto append = [&body](const glm::dvec3& values) {
+        for (int axis = 0; axis < 3; ++axis)
+            body.records.push_back(static_cast<float>(values[axis]));
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        body.indices.push_back(static_cast<int>(body.indices.size()));
+        append(places[i]);
+        for (int column = 0; column < 3; ++column)
+            append(gauge[column]);
+        const glm::dvec3 voxel = (positions[i] / glm::dvec3(volume.dimensions) + 0.5) * sizeOf(volume);
+        append(voxel);
+        body.bounds.lower = glm::min(body.bounds.lower, voxel);
+        body.bounds.upper = glm::max(body.bounds.upper, voxel);
+    }
+}
+
+Body tetraBody(const StyledVolume& volume)
+{
+    Body body;
+    body.values = kTetraValues;
+    for (std::size_t i = 0; i + 3 < volume.tetras->indices.size(); i += 4)
+        appendTetra(volume, volume.tetras->indices.data() + i, body);
+    // Cutting to the bounds is to change nothing.
+    body.bounds.lower -= 1.0;
+    body.bounds.upper += 1.0;
+    return body;
+}
+
+DepthsSeen depthsOf(const Body& body, const glm::dvec4& depthRow)
+{
+    DepthsSeen range{INFINITY, -INFINITY};
+    const TetraView view = body.view();
+    for (int vertex = 0; vertex < static_cast<int>(body.records.size()) / body.values; ++vertex) {
+        const double depth = glm::dot(depthRow, glm::dvec4(view.position(vertex), 1.0));
+        range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
+    }
+    return range;
+}
+
+} // namespace
+
+glm::dmat4 localFromVoxel(const StyledVolume& volume)
+{
+    const glm::dvec3 edge = glm::dvec3(volume.dimensions) / sizeOf(volume);
+    return glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * glm::dvec3(volume.dimensions)), edge);
+}
+
+void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
+               VolumeLayers& layers)
+{
+    layers.layers.clear();
+    const Body body = volume.tetras ? tetraBody(volume) : boxBody(volume);
+    layers.valuesPerRecord = body.values;
+    const glm::dvec4 depthRow = depthRowOf(scene, volume.worldFromLocal * localFromVoxel(volume));
+    const DepthsSeen own = depthsOf(body, depthRow), seen = depthsSeen(scene.clipFromEye);
+    const double spacing = volume.spacing;
+    const double first = std::ceil(std::max(own.nearest, seen.nearest) / spacing - 0.5);
+    const double last = std::floor(std::min(own.farthest, seen.farthest) / spacing - 0.5);
+    if (!(first <= last)) return;
+    if (last - first >= kMostPlanes)
+        throw std::runtime_error("a volume has " + std::to_string(last - first + 1.0) +
+                                 " sampling planes, at most " + std::to_string(kMostPlanes) + " are drawn");
+    const PlaneFamily planes{glm::dvec3(depthRow), sampleDepth(spacing, last) - depthRow.w, spacing,
+                             static_cast<int>(last - first) + 1};
+    const Box box = body.bounds;
+    if (!slicer.slice(body.view(), {&box, 1}, planes, StackOrder::bySample, 0, layers.stack).complete)
+        throw std::runtime_error("a volume has more slices than fit into memory");
+    for (const PolygonStack::Run& run : layers.stack.runs) {
+        const float* record = layers.stack.records.data() +
+                              static_cast<std::size_t>(layers.stack.indices[run.first]) *
+                                  static_cast<std::size_t>(body.values) +
+                              body.values - 3;
+        const double depth = glm::dot(depthRow, glm::dvec4(record[0], record[1], record[2], 1.0));
+        layers.layers.push_back(
+            {sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first, run.count});
+    }
+}
+
+} // namespace vo

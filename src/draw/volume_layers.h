@@ -1,0 +1,38 @@
+#pragma once
+
+#include "polygonize/polygon_stack.h"
+#include "style/styled_scene.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <vector>
+
+namespace vo {
+
+class StackSlicer;
+
+/// What of a volume lies on one of its planes: a range of the indices.
+struct SliceLayer
+{
+    double depth;
+    std::size_t first, count;
+};
+
+/// Polygons of a volume on its planes. Records are three floats, the position in voxels from the lower corner
+/// of the box; those of tetrahedra have a place and placeFromLocal (three columns) before it.
+struct VolumeLayers
+{
+    PolygonStack stack;
+    std::vector<SliceLayer> layers; ///< from the farthest
+    int valuesPerRecord = 3;
+};
+
+/// Local position of positions in voxels.
+glm::dmat4 localFromVoxel(const StyledVolume& volume);
+
+/// Cuts a volume by its planes, as far as the projection shows them. Throws std::runtime_error where there
+/// are too many.
+void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
+               VolumeLayers& layers);
+
+} // namespace vo

@@ -1,0 +1,229 @@
+#include "draw/volume_programs.h"
+
+#include "draw/scene_programs.h"
+#include "style/surface_normals.h"
+
+#include <algorithm>
+
+namespace vo {
+
+namespace {
+
+constexpr const char* kVertexShader = R"(
+layout(location = 0) in vec3 voxel;
+uniform mat4 clipFromVoxel;
+uniform vec3 voxelCount, dimensions;
+out vec3 position;
+out vec3 place;
+#ifdef OWN_PLACES
+layout(location = 1) in vec3 placeGiven;
+layout(location = 2) in mat3 placeFromLocalGiven;
+out mat3 placeFromLocal;
+#endif
+
+void main()
+{
+    gl_Position = clipFromVoxel * vec4(voxel, 1.0);
+    position = (voxel / voxelCount - 0.5) * dimensions;
+#ifdef OWN_PLACES
+    place = placeGiven;
+    placeFromLocal = placeFromLocalGiven;
+#else
+    place = voxel / voxelCount;
+#endif
+}
+)";
+
+// What styles may use (style/glsl_chain.h), beside the lights.
+constexpr const char* kStylePreamble = R"(
+struct StyleSample {
+    vec4 voxel;
+    vec3 place, position, V, n;
+    float gradient;
+};
+vec4 styleTexture(sampler3D map, vec3 place)
+{
+    return textureLod(map, place, 0.0);
+}
+)";
+
+constexpr const char* kSampleFunctions = R"(
+in vec3 position;
+in vec3 place;
+uniform sampler3D voxels;
+uniform vec3 voxelCount, dimensions;
+uniform vec4 viewer, depthRow;
+uniform float spacing, unitLength, shortestEdge;
+layout(location = 0) out vec4 fragment;
+#ifdef OWN_PLACES
+in mat3 placeFromLocal;
+#else
+mat3 placeFromLocal = mat3(1.0 / dimensions.x, 0.0, 0.0, 0.0, 1.0 / dimensions.y, 0.0, 0.0, 0.0, 1.0 / dimensions.z);
+#endif
+
+float valueAt(vec3 at)
+{
+    vec4 voxel = textureLod(voxels, at, 0.0);
+#if COMPONENTS < 3
+    return voxel.r;
+#else
+    return (voxel.r + voxel.g + voxel.b) / 3.0;
+#endif
+}
+
+// The change of the value over the shortest edge of a voxel, local.
+vec3 slopeAt(vec3 at)
+{
+    vec3 d = 1.0 / voxelCount;
+    vec3 change = vec3(valueAt(at + vec3(d.x, 0.0, 0.0)) - valueAt(at - vec3(d.x, 0.0, 0.0)),
+                       valueAt(at + vec3(0.0, d.y, 0.0)) - valueAt(at - vec3(0.0, d.y, 0.0)),
+                       valueAt(at + vec3(0.0, 0.0, d.z)) - valueAt(at - vec3(0.0, 0.0, d.z)));
+    return 0.5 * shortestEdge * ((voxelCount * change) * placeFromLocal);
+}
+
+StyleSample sampleAt(vec3 at, vec3 local)
+{
+    StyleSample s;
+    s.voxel = textureLod(voxels, at, 0.0);
+    s.place = at;
+    s.position = local;
+    s.V = viewer.w > 0.0 ? normalize(viewer.xyz - local) : -normalize(viewer.xyz);
+    s.n = vec3(0.0);
+    s.gradient = 0.0;
+#ifdef NEEDS_NORMAL
+    vec3 slope = slopeAt(at);
+    s.gradient = length(slope);
+    if (s.gradient >= 1e-6) s.n = -slope / s.gradient;
+#endif
+    return s;
+}
+
+// The way to the next plane behind, along the ray.
+vec3 stepFrom(vec3 local)
+{
+    if (viewer.w <= 0.0) return spacing * viewer.xyz;
+    return (spacing / dot(depthRow, vec4(local, 1.0))) * (local - viewer.xyz);
+}
+)";
+
+constexpr const char* kSamplesMain = R"(
+void main()
+{
+    if (isClipped(vec4(position, 1.0))) discard;
+    int chain = chainAt(place);
+    if (chain < 0) discard;
+    StyleSample s = sampleAt(place, position);
+    vec4 color = chainOf(chain, firstColor(s.voxel), s);
+    float units = length(stepFrom(position)) / unitLength;
+    float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
+    fragment = vec4(alpha * color.rgb, alpha);
+}
+)";
+
+constexpr const char* kSurfacesMain = R"(
+uniform float surfaceValues[SURFACES];
+uniform float surfaceTolerance;
+uniform mat4 clipFromLocal;
+
+void main()
+{
+    vec3 way = stepFrom(position), placeWay = placeFromLocal * way;
+    vec3 next = place + placeWay;
+    if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
+    float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
+    fragment = vec4(0.0);
+    float nearest = 1.0;
+    for (int i = 0; i < SURFACES; ++i) {
+        int number = here < there ? i : SURFACES - 1 - i;
+        float value = surfaceValues[number];
+        if ((here < value) == (there < value)) continue;
+        float part = (value - here) / (there - here);
+        StyleSample s = sampleAt(place + part * placeWay, position + part * way);
+        if (s.gradient < surfaceTolerance || isClipped(vec4(s.position, 1.0))) continue;
+        s.n = SURFACE_NORMAL;
+        vec4 color = chainOf(min(number, CHAINS - 1), firstColor(s.voxel), s);
+        float alpha = clamp(color.a, 0.0, 1.0);
+        if (fragment.a == 0.0) nearest = part;
+        fragment += (1.0 - fragment.a) * vec4(alpha * color.rgb, alpha);
+    }
+    if (fragment.a == 0.0) discard;
+    vec4 clip = clipFromLocal * vec4(position + nearest * way, 1.0);
+    gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far);
+}
+)";
+
+bool needsNormal(std::span<const StyleChain> chains)
+{
+    return std::ranges::any_of(chains, [](const StyleChain& chain) {
+        return std::ranges::any_of(chain, [](const auto& style) { return style->needsNormal(); });
+    });
+}
+
+/// Writes chain0 to chainN and `vec4 chainOf(int chain, vec4 color, StyleSample s)`.
+std::string writeChains(GlslChain& glsl, std::span<const StyleChain> chains)
+{
+    std::string choice = "vec4 chainOf(int chain, vec4 color, StyleSample s)\n{\n";
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const std::string name = "chain" + std::to_string(i);
+        for (const auto& style : chains[i])
+            style->write(glsl);
+        glsl.endFunction(name);
+        choice += "    if (chain == " + std::to_string(i) + ") return " + name + "(color, s);\n";
+    }
+    return choice + "    return color;\n}\n";
+}
+
+/// `int chainAt(vec3 place)`: which chain a place has, or -1.
+std::string chainAtText(const StyledVolume& volume)
+{
+    if (!volume.segments || volume.surfaces) return "int chainAt(vec3 place) { return 0; }\n";
+    return R"(
+uniform sampler3D identifiers, chainTable;
+uniform float identifierScale;
+uniform int chainsGiven, chainBeyond;
+int chainAt(vec3 place)
+{
+    ivec3 size = textureSize(identifiers, 0), width = textureSize(chainTable, 0);
+    ivec3 texel = clamp(ivec3(floor(place * vec3(size))), ivec3(0), size - 1);
+    int id = int(texelFetch(identifiers, texel, 0)[)" +
+           std::to_string(volume.segments->component) + R"(] * identifierScale + 0.5);
+    if (id >= chainsGiven) return chainBeyond;
+    return int(floor(texelFetch(chainTable, ivec3(id % width.x, id / width.x, 0), 0).r + 0.5));
+}
+)";
+}
+
+std::string define(const std::string& what)
+{
+    return "#define " + what + "\n";
+}
+
+} // namespace
+
+VolumeProgram sliceProgram(const StyledVolume& volume)
+{
+    VolumeProgram program;
+    const bool surfaces = volume.surfaces.has_value();
+    const std::vector<StyleChain>& chains = surfaces ? volume.surfaces->chains : volume.chains;
+    std::string definitions = "#version 330 core\n";
+    if (volume.tetras) definitions += define("OWN_PLACES");
+    program.vertexText = definitions + kVertexShader;
+
+    const std::string components = std::to_string(volume.voxels->components);
+    definitions += define("COMPONENTS " + components) + define("firstColor firstColor" + components) +
+                   define("CHAINS " + std::to_string(chains.size()));
+    if (surfaces) definitions += define("SURFACES " + std::to_string(volume.surfaces->values.size()));
+    if (surfaces || needsNormal(chains)) definitions += define("NEEDS_NORMAL");
+    const std::string choice = writeChains(program.chains, chains);
+    if (surfaces)
+        definitions +=
+            define("SURFACE_NORMAL " + SurfaceNormals(volume.surfaces->gradients).write(program.chains));
+    program.fragmentText = definitions + lightDeclarations(volume.surroundings.lights.size()) +
+                           clipPlaneDeclarations(volume.clipPlanes.size()) + kStylePreamble +
+                           kFirstColorGlsl + program.chains.declarations() + program.chains.functions() +
+                           choice + kSampleFunctions +
+                           (surfaces ? kSurfacesMain : chainAtText(volume) + kSamplesMain);
+    return program;
+}
+
+} // namespace vo
