@@ -1,5 +1,6 @@
 #include "cast/cast_scene.h"
 
+#include "cast/scene_surfaces.h"
 #include "cast/sky.h"
 #include "cast/styled_rays.h"
 #include "core/parallel.h"
@@ -11,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <new>
+#include <span>
 
 namespace vo {
 
@@ -19,11 +21,6 @@ namespace {
 constexpr int kTileEdge = 32;
 /// Rays end where less than this shows through.
 constexpr float kLeastThrough = 1.0f / 2048.0f;
-
-struct Tile
-{
-    int x, y, width, height;
-};
 
 /// One pixel on its way: colour so far, multiplied by opacity, and how much shows through.
 struct Pixel
@@ -94,41 +91,70 @@ CastVolume castVolumeOf(const StyledVolume& styled, const SceneRays& rays)
 class TileCaster
 {
 public:
-    TileCaster(const StyledScene& scene, const SceneRays& rays, const std::vector<CastVolume>& volumes)
-        : scene_(scene), rays_(rays)
+    TileCaster(const StyledScene& scene, const SceneRays& rays, const CastSurfaces& surfaces,
+               const std::vector<CastVolume>& volumes)
+        : scene_(scene), rays_(rays), surfaces_(surfaces)
     {
         streams_.reserve(volumes.size());
         for (const CastVolume& volume : volumes)
             streams_.push_back({StyledRay(volume), {}});
     }
 
-    void cast(const Tile& tile, ScenePicture& picture)
+    void cast(const PictureTile& tile, ScenePicture& picture)
     {
+        surfaces_.draw(tile, surfaceTile_);
+        std::size_t index = 0;
         for (int y = tile.y; y < tile.y + tile.height; ++y)
             for (int x = tile.x; x < tile.x + tile.width; ++x)
-                write(castPixel(x, y), x, y, picture);
+                write(castPixel(x, y, index++), x, y, picture);
     }
 
 private:
-    Pixel castPixel(int x, int y)
+    Pixel castPixel(int x, int y, std::size_t index)
     {
         const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
+        const SurfaceFragment& opaque = surfaceTile_.opaque(index);
+        fragments_ = surfaceTile_.translucent(index);
+        DepthRange depths = rays_.depths();
+        depths.end = std::min(depths.end, firstOpaque(opaque.depth));
         active_.clear();
         for (Stream& stream : streams_)
-            if (stream.ray.begin(ray, rays_.depths()) && stream.ray.next(stream.run))
-                active_.push_back(&stream);
+            if (stream.ray.begin(ray, depths) && stream.ray.next(stream.run)) active_.push_back(&stream);
         Pixel pixel;
-        while (!active_.empty() && !pixel.done()) {
-            const auto nearest = nearestStream();
-            Stream& stream = **nearest;
-            addUntil(stream, limitOf(nearest), pixel);
-            if (stream.run.atEnd() && !pixel.done() && !stream.ray.next(stream.run)) active_.erase(nearest);
+        while (!pixel.done() && addNearest(pixel)) {
         }
+        if (opaque.color.a > 0.0f) pixel.add(opaque.color, opaque.depth);
         const glm::vec4 behind =
             skyColor(scene_.background, glm::dmat3(rays_.worldFromEye()) * ray.direction);
         pixel.color += glm::vec3(behind) * pixel.through;
         pixel.through *= 1.0f - behind.a;
         return pixel;
+    }
+
+    /// Where no more is seen: at the opaque surface, or at one that is opaque here.
+    double firstOpaque(double depth) const
+    {
+        const auto first = std::find_if(fragments_.begin(), fragments_.end(),
+                                        [](const SurfaceFragment& f) { return f.color.a >= 1.0f; });
+        return first == fragments_.end() ? depth : first->depth;
+    }
+
+    /// Adds what is in front of all else that is left; false if nothing is.
+    bool addNearest(Pixel& pixel)
+    {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        const double surface = fragments_.empty() ? kFar : fragments_.front().depth;
+        const auto nearest = nearestStream();
+        if (nearest == active_.end() || surface < depthOf(**nearest)) {
+            if (fragments_.empty()) return false;
+            pixel.add(fragments_.front().color, surface);
+            fragments_ = fragments_.subspan(1);
+            return true;
+        }
+        Stream& stream = **nearest;
+        addUntil(stream, std::min(surface, limitOf(nearest)), pixel);
+        if (stream.run.atEnd() && !pixel.done() && !stream.ray.next(stream.run)) active_.erase(nearest);
+        return true;
     }
 
     static double depthOf(const Stream& stream)
@@ -174,13 +200,16 @@ private:
 
     const StyledScene& scene_;
     const SceneRays& rays_;
+    const CastSurfaces& surfaces_;
+    SurfaceTile surfaceTile_;
+    std::span<const SurfaceFragment> fragments_; ///< of the pixel, what is left
     std::vector<Stream> streams_;
     std::vector<Stream*> active_;
 };
 
-std::vector<Tile> tilesOf(int width, int height)
+std::vector<PictureTile> tilesOf(int width, int height)
 {
-    std::vector<Tile> tiles;
+    std::vector<PictureTile> tiles;
     for (int y = 0; y < height; y += kTileEdge)
         for (int x = 0; x < width; x += kTileEdge)
             tiles.push_back({x, y, std::min(kTileEdge, width - x), std::min(kTileEdge, height - y)});
@@ -231,9 +260,10 @@ void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& pict
     const std::optional<SceneRays> rays = SceneRays::of(scene);
     if (!rays) return;
     const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, threads);
-    const std::vector<Tile> tiles = tilesOf(scene.width, scene.height);
+    const CastSurfaces surfaces(scene, *rays, kTileEdge);
+    const std::vector<PictureTile> tiles = tilesOf(scene.width, scene.height);
     parallelFor(tiles.size(), threads,
-                [&](std::size_t i) { TileCaster(scene, *rays, volumes).cast(tiles[i], picture); });
+                [&](std::size_t i) { TileCaster(scene, *rays, surfaces, volumes).cast(tiles[i], picture); });
 }
 
 void castScene(const StyledScene& scene, int threads, ScenePicture& picture)

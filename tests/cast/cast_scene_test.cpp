@@ -247,6 +247,154 @@ TEST(castScene, threadsChangeNoBit)
     EXPECT_EQ(one.depth, many.depth);
 }
 
+/// A square of 12 across +z, seen from there.
+vo::StyledSurface squareOf(double z, float transparency)
+{
+    vo::StyledSurface surface;
+    surface.worldFromLocal = glm::translate(glm::dmat4(1.0), {0.0, 0.0, z});
+    surface.positions = {{-6, -6, 0}, {6, -6, 0}, {6, 6, 0}, {-6, 6, 0}};
+    surface.normals.assign(4, {0, 0, 1});
+    surface.triangles = {0, 1, 2, 0, 2, 3};
+    surface.lit = false;
+    surface.emissive = {0.0f, 0.0f, 1.0f};
+    surface.transparency = transparency;
+    return surface;
+}
+
+TEST(castSurfaces, translucentTriangleStandsBetweenSamples)
+{
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = perspective ? perspectiveScene() : orthoScene();
+        scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f)));
+        scene.surfaces.push_back(squareOf(0.7, 0.75f));
+        const glm::vec4 pixel = middleOf(castOf(scene));
+        // Four samples before it (z from 3.5 to 0.5 without the last), five behind.
+        const double front = std::pow(0.9, 3.0);
+        const double behind = 1.0 - std::pow(0.9, 5.0);
+        EXPECT_NEAR(pixel.r, 1.0 - front + front * 0.75 * behind, 1e-3);
+        EXPECT_NEAR(pixel.b, pixel.r + front * 0.25, 1e-3);
+    }
+}
+
+TEST(castSurfaces, opaqueOneHidesWhatIsBehind)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(constantTexture(1.0f, 0.1f)));
+    scene.surfaces = {squareOf(-1.0, 0.0f), squareOf(2.0, 0.0f), squareOf(-3.0, 0.5f)};
+    const ScenePicture picture = castOf(scene);
+    EXPECT_NEAR(middleOf(picture).r, 1.0 - 0.81, 1e-5);
+    EXPECT_NEAR(middleOf(picture).b, 1.0, 1e-5);
+    EXPECT_FLOAT_EQ(middleDepth(picture), 18.0f);
+}
+
+TEST(castSurfaces, trianglesCoverEachPixelOnceAndNoOther)
+{
+    // The diagonal runs through the middles of pixels; the edges lie between them.
+    StyledScene scene = orthoScene();
+    scene.surfaces.push_back(squareOf(0.0, 0.5f));
+    const ScenePicture picture = castOf(scene);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const bool inside = x >= 8 && x < 32 && y >= 8 && y < 32;
+            EXPECT_FLOAT_EQ(pixelOf(picture, x, y).b, inside ? 0.5f : 0.0f) << x << " " << y;
+        }
+}
+
+TEST(castSurfaces, solidOnesAreSeenFromOutsideAlone)
+{
+    StyledScene scene = orthoScene();
+    scene.surfaces.push_back(squareOf(0.0, 0.0f));
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), kPi, {0.0, 1.0, 0.0});
+    const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), {-1.0, 1.0, 1.0});
+    const std::vector<std::pair<glm::dmat4, float>> cases{
+        {glm::dmat4(1.0), 1.0f}, {turn, 0.0f}, {mirror, 1.0f}, {turn * mirror, 0.0f}};
+    for (const auto& [matrix, seen] : cases) {
+        scene.surfaces[0].worldFromLocal = matrix;
+        scene.surfaces[0].solid = true;
+        EXPECT_EQ(middleOf(castOf(scene)).b, seen);
+        scene.surfaces[0].solid = false;
+        EXPECT_EQ(middleOf(castOf(scene)).b, 1.0f);
+    }
+}
+
+TEST(castSurfaces, areLitFromTheirSide)
+{
+    StyledScene scene = orthoScene();
+    vo::StyledSurface square = squareOf(0.0, 0.0f);
+    square.lit = true;
+    square.solid = false;
+    square.emissive = {0.1f, 0.0f, 0.0f};
+    square.diffuse = {0.5f, 0.25f, 1.0f};
+    square.ambientIntensity = 0.4f;
+    vo::StyleLight light;
+    light.direction = {0.6f, 0.0f, -0.8f};
+    light.intensity = 0.5f;
+    light.ambientIntensity = 0.5f;
+    square.lights = {light};
+    scene.surfaces.push_back(square);
+    for (const double angle : {0.0, kPi}) {
+        scene.surfaces[0].worldFromLocal = glm::rotate(glm::dmat4(1.0), angle, {0.0, 1.0, 0.0});
+        const glm::vec4 pixel = middleOf(castOf(scene));
+        const double strength = 0.5 * 0.4 + 0.5 * 0.8;
+        EXPECT_NEAR(pixel.r, 0.1 + 0.5 * strength, 1e-5);
+        EXPECT_NEAR(pixel.g, 0.25 * strength, 1e-5);
+        EXPECT_NEAR(pixel.b, 1.0 * strength, 1e-5);
+    }
+}
+
+TEST(castSurfaces, colorsChangeInPerspective)
+{
+    // A floor from under the eye to far ahead, brighter with its distance.
+    StyledScene scene = perspectiveScene();
+    vo::StyledSurface floor;
+    floor.positions = {{-100, -5, 40}, {100, -5, 40}, {100, -5, -60}, {-100, -5, -60}};
+    floor.normals.assign(4, {0, 1, 0});
+    floor.triangles = {0, 1, 2, 0, 2, 3};
+    const float ends[4] = {0.0f, 0.0f, 1.0f, 1.0f};
+    for (const float end : ends)
+        floor.colors.emplace_back(end, 0.0f, 0.0f, 1.0f);
+    vo::StyleLight light;
+    light.direction = {0, -1, 0};
+    floor.lights = {light};
+    scene.surfaces.push_back(floor);
+    const ScenePicture picture = castOf(scene);
+    for (int y = 0; y < 20; ++y) {
+        const double depth = 5.0 / (std::tan(kPi / 6.0) * (1.0 - (y + 0.5) / 20.0));
+        const bool seen = depth <= 80.0;
+        EXPECT_NEAR(pixelOf(picture, 20, y).r, seen ? (20.0 + depth) / 100.0 : 0.0, 1e-4) << y;
+    }
+}
+
+TEST(castSurfaces, clipPlanesCutThem)
+{
+    StyledScene scene = orthoScene();
+    scene.surfaces.push_back(squareOf(0.0, 0.0f));
+    scene.surfaces[0].clipPlanes = {{1.0, 0.0, 0.0, 0.0}};
+    const ScenePicture picture = castOf(scene);
+    EXPECT_EQ(pixelOf(picture, 19, 20).b, 0.0f);
+    EXPECT_EQ(pixelOf(picture, 20, 20).b, 1.0f);
+}
+
+TEST(castSurfaces, nonsenseIsLeftOut)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<std::function<void(vo::StyledSurface&)>> spoils{
+        [](vo::StyledSurface& s) { s.triangles = {0, 1, 7, 0, -2, 3, 1}; },
+        [](vo::StyledSurface& s) { s.positions.resize(2), s.normals.resize(2); },
+        [](vo::StyledSurface& s) { s.normals.resize(3); },
+        [](vo::StyledSurface& s) { s.colors.resize(1); },
+        [](vo::StyledSurface& s) { s.positions.assign(4, {}); },
+        [=](vo::StyledSurface& s) { s.positions.assign(4, glm::vec3(nan)); },
+        [](vo::StyledSurface& s) { s.worldFromLocal = glm::dmat4(0.0); },
+    };
+    for (const auto& spoil : spoils) {
+        StyledScene scene = orthoScene();
+        scene.surfaces.push_back(squareOf(0.0, 0.0f));
+        spoil(scene.surfaces[0]);
+        EXPECT_EQ(middleOf(castOf(scene)).b, 0.0f);
+    }
+}
+
 TEST(castScene, nonsenseIsLeftOut)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,339 @@
+#include "cast/scene_surfaces.h"
+
+#include "style/styles.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace vo {
+
+/// A corner in the picture: pixels times w, w, and eye depth.
+struct CastSurfaces::Vertex
+{
+    glm::dvec3 window;
+    double depth;
+};
+
+struct CastSurfaces::Prepared
+{
+    const StyledSurface* styled;
+    std::vector<Vertex> vertices;
+    glm::dmat3 normalMatrix; ///< world from local, for normals
+    std::shared_ptr<const Style> shading;
+    StyleSurroundings surroundings;
+};
+
+struct CastSurfaces::Triangle
+{
+    std::uint32_t surface;
+    std::array<std::uint32_t, 3> corners;
+};
+
+/// A triangle in a pixel.
+struct CastSurfaces::Hit
+{
+    double depth = std::numeric_limits<double>::infinity();
+    std::uint32_t pixel = 0; ///< of the tile
+    Triangle triangle{};
+    glm::dvec3 weights{0.0}; ///< of the corners
+    bool front = true;
+};
+
+struct CastSurfaces::Covered
+{
+    std::vector<Hit> opaque; ///< one a pixel
+    std::vector<Hit> translucent;
+};
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// The lines through a triangle's corners: dot(edge, (x, y, 1)) is not negative inside.
+struct Edges
+{
+    std::array<glm::dvec3, 3> edge;
+    bool flat = false;
+
+    Edges(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+        : edge{glm::cross(b, c), glm::cross(c, a), glm::cross(a, b)}
+    {
+        const double area = glm::dot(a, edge[0]);
+        flat = !(std::abs(area) > 0.0) || !std::isfinite(area);
+        if (area < 0.0)
+            for (glm::dvec3& e : edge)
+                e = -e;
+    }
+
+    /// Where two triangles share an edge, a pixel on it belongs to one of them.
+    static bool isInside(const glm::dvec3& e, double value)
+    {
+        return value > 0.0 || (value == 0.0 && (e.x > 0.0 || (e.x == 0.0 && e.y > 0.0)));
+    }
+};
+
+std::shared_ptr<const Style> shadingOf(const StyledSurface& surface)
+{
+    Shaded fields;
+    fields.lighting = surface.lit;
+    fields.ambientIntensity = surface.ambientIntensity;
+    fields.shininess = surface.shininess;
+    fields.emissive = surface.emissive;
+    fields.specular = surface.specular;
+    return makeStyle(fields);
+}
+
+/// All it names is there, and its place can be computed.
+bool isDrawn(const StyledSurface& surface)
+{
+    return isInvertible(surface.worldFromLocal) && surface.positions.size() < kNone &&
+           (surface.normals.empty() || surface.normals.size() == surface.positions.size()) &&
+           (surface.colors.empty() || surface.colors.size() == surface.positions.size());
+}
+
+template <class Vector>
+Vector weighted(const std::vector<Vector>& of, const std::array<std::uint32_t, 3>& corners,
+                const glm::dvec3& weights)
+{
+    return of[corners[0]] * static_cast<float>(weights.x) + of[corners[1]] * static_cast<float>(weights.y) +
+           of[corners[2]] * static_cast<float>(weights.z);
+}
+
+/// Of the outside, local, of some length.
+glm::dvec3 faceNormal(const StyledSurface& surface, const std::array<std::uint32_t, 3>& corners)
+{
+    const glm::dvec3 a(surface.positions[corners[0]]), b(surface.positions[corners[1]]),
+        c(surface.positions[corners[2]]);
+    return glm::cross(b - a, c - a);
+}
+
+glm::dvec3 normalAt(const StyledSurface& surface, const std::array<std::uint32_t, 3>& corners,
+                    const glm::dvec3& weights)
+{
+    if (surface.normals.empty()) return faceNormal(surface, corners);
+    return weighted(surface.normals, corners, weights);
+}
+
+/// Pixels whose middle a range of the picture has, within the limits.
+void pixelsIn(double low, double high, int least, int most, int& first, int& last)
+{
+    first = static_cast<int>(std::clamp(std::ceil(low - 0.5), double(least), double(most) + 1.0));
+    last = static_cast<int>(std::clamp(std::floor(high - 0.5), double(least) - 1.0, double(most)));
+}
+
+struct PixelBounds
+{
+    int left, right, bottom, top;
+};
+
+/// The pixels within `tile` that a triangle may cover: all of them where it reaches behind the eye.
+PixelBounds boundsOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const PictureTile& tile)
+{
+    PixelBounds bounds{tile.x, tile.x + tile.width - 1, tile.y, tile.y + tile.height - 1};
+    constexpr double kLeastW = 1e-9;
+    if (!(std::min({a.z, b.z, c.z}) > kLeastW)) return bounds;
+    const auto [left, right] = std::minmax({a.x / a.z, b.x / b.z, c.x / c.z});
+    const auto [bottom, top] = std::minmax({a.y / a.z, b.y / b.z, c.y / c.z});
+    pixelsIn(left - 1e-3, right + 1e-3, tile.x, tile.x + tile.width - 1, bounds.left, bounds.right);
+    pixelsIn(bottom - 1e-3, top + 1e-3, tile.y, tile.y + tile.height - 1, bounds.bottom, bounds.top);
+    return bounds;
+}
+
+} // namespace
+
+CastSurfaces::CastSurfaces(const StyledScene& scene, const SceneRays& rays, int tileEdge)
+    : scene_(scene), rays_(rays), tileEdge_(tileEdge), tilesAcross_((scene.width + tileEdge - 1) / tileEdge)
+{
+    for (const StyledSurface& surface : scene.surfaces)
+        if (isDrawn(surface)) prepare(surface);
+    if (surfaces_.empty()) return;
+    const int tilesUp = (scene.height + tileEdge - 1) / tileEdge;
+    tiles_.resize(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesUp));
+    for (std::uint32_t surface = 0; surface < surfaces_.size(); ++surface)
+        for (std::size_t i = 0; i + 3 <= surfaces_[surface].styled->triangles.size(); i += 3)
+            sortIntoTiles(surface, i);
+}
+
+CastSurfaces::~CastSurfaces() = default;
+
+void CastSurfaces::prepare(const StyledSurface& surface)
+{
+    const glm::dmat4 eyeFromLocal = scene_.eyeFromWorld * surface.worldFromLocal;
+    const glm::dmat3 linear(surface.worldFromLocal);
+    Prepared prepared{
+        &surface, {}, glm::transpose(glm::inverse(linear)), shadingOf(surface), {surface.lights}};
+    prepared.vertices.reserve(surface.positions.size());
+    for (const glm::vec3& position : surface.positions) {
+        const glm::dvec4 eye = eyeFromLocal * glm::dvec4(position, 1.0);
+        const glm::dvec4 clip = scene_.clipFromEye * eye;
+        prepared.vertices.push_back(
+            {{(clip.x + clip.w) * 0.5 * scene_.width, (clip.y + clip.w) * 0.5 * scene_.height, clip.w},
+             -eye.z});
+    }
+    surfaces_.push_back(std::move(prepared));
+}
+
+void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
+{
+    const Prepared& prepared = surfaces_[surface];
+    Triangle triangle{surface, {}};
+    std::array<glm::dvec3, 3> windows;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int corner = prepared.styled->triangles[first + i];
+        if (corner < 0 || static_cast<std::size_t>(corner) >= prepared.vertices.size()) return;
+        triangle.corners[i] = static_cast<std::uint32_t>(corner);
+        windows[i] = prepared.vertices[triangle.corners[i]].window;
+    }
+    const auto& [a, b, c] = windows;
+    if (!(std::max({a.z, b.z, c.z}) > 0.0) || Edges(a, b, c).flat) return;
+    const PixelBounds bounds = boundsOf(a, b, c, {0, 0, scene_.width, scene_.height});
+    if (bounds.left > bounds.right || bounds.bottom > bounds.top) return;
+    for (int y = bounds.bottom / tileEdge_; y <= bounds.top / tileEdge_; ++y)
+        for (int x = bounds.left / tileEdge_; x <= bounds.right / tileEdge_; ++x)
+            tiles_[static_cast<std::size_t>(y) * static_cast<std::size_t>(tilesAcross_) +
+                   static_cast<std::size_t>(x)]
+                .push_back(triangle);
+}
+
+void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Covered& covered) const
+{
+    const Prepared& prepared = surfaces_[triangle.surface];
+    const auto& [a, b, c] = triangle.corners;
+    const std::array<const Vertex*, 3> corner{&prepared.vertices[a], &prepared.vertices[b],
+                                              &prepared.vertices[c]};
+    const Edges edges(corner[0]->window, corner[1]->window, corner[2]->window);
+    const glm::dvec3 depths(corner[0]->depth, corner[1]->depth, corner[2]->depth);
+    const glm::dvec3 outward = prepared.normalMatrix * faceNormal(*prepared.styled, triangle.corners);
+    const PixelBounds bounds = boundsOf(corner[0]->window, corner[1]->window, corner[2]->window, tile);
+    for (int y = bounds.bottom; y <= bounds.top; ++y)
+        for (int x = bounds.left; x <= bounds.right; ++x) {
+            const glm::dvec3 place(x + 0.5, y + 0.5, 1.0);
+            const glm::dvec3 inside(glm::dot(edges.edge[0], place), glm::dot(edges.edge[1], place),
+                                    glm::dot(edges.edge[2], place));
+            if (!Edges::isInside(edges.edge[0], inside.x) || !Edges::isInside(edges.edge[1], inside.y) ||
+                !Edges::isInside(edges.edge[2], inside.z))
+                continue;
+            Hit hit;
+            hit.pixel = static_cast<std::uint32_t>((y - tile.y) * tile.width + x - tile.x);
+            hit.triangle = triangle;
+            hit.weights = inside / (inside.x + inside.y + inside.z);
+            hit.depth = glm::dot(hit.weights, depths);
+            if (!(hit.depth < covered.opaque[hit.pixel].depth)) continue;
+            const DepthRay ray = transformed(rays_.worldFromEye(), rays_.ray(place.x, place.y));
+            hit.front = glm::dot(outward, ray.direction) < 0.0;
+            if (!isSeen(prepared, hit, ray)) continue;
+            if (prepared.styled->isOpaque())
+                covered.opaque[hit.pixel] = hit;
+            else
+                covered.translucent.push_back(hit);
+        }
+}
+
+bool CastSurfaces::isSeen(const Prepared& prepared, const Hit& hit, const DepthRay& ray) const
+{
+    if (prepared.styled->solid && !hit.front) return false;
+    if (!(hit.depth >= rays_.depths().begin && hit.depth <= rays_.depths().end)) return false;
+    const glm::dvec4 position(ray.at(hit.depth), 1.0);
+    return std::all_of(prepared.styled->clipPlanes.begin(), prepared.styled->clipPlanes.end(),
+                       [&](const glm::dvec4& plane) { return glm::dot(plane, position) >= 0.0; });
+}
+
+void CastSurfaces::draw(const PictureTile& tile, SurfaceTile& result) const
+{
+    result.opaque_.clear();
+    result.translucent_.clear();
+    result.first_.clear();
+    if (tiles_.empty()) return;
+    const auto& triangles =
+        tiles_[static_cast<std::size_t>(tile.y / tileEdge_) * static_cast<std::size_t>(tilesAcross_) +
+               static_cast<std::size_t>(tile.x / tileEdge_)];
+    if (triangles.empty()) return;
+    const auto pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+    Covered covered;
+    covered.opaque.resize(pixels);
+    for (const bool opaque : {true, false})
+        for (const Triangle& triangle : triangles)
+            if (surfaces_[triangle.surface].styled->isOpaque() == opaque) cover(triangle, tile, covered);
+    std::stable_sort(covered.translucent.begin(), covered.translucent.end(), [](const Hit& a, const Hit& b) {
+        return a.pixel != b.pixel ? a.pixel < b.pixel : a.depth < b.depth;
+    });
+    result.opaque_.resize(pixels);
+    std::vector<Hit> opaque;
+    for (const Hit& hit : covered.opaque)
+        if (std::isfinite(hit.depth)) opaque.push_back(hit);
+    const std::vector<glm::vec4> opaqueColors = colorsOf(tile, opaque);
+    for (std::size_t i = 0; i < opaque.size(); ++i)
+        result.opaque_[opaque[i].pixel] = {opaque[i].depth, opaqueColors[i]};
+    const std::vector<glm::vec4> colors = colorsOf(tile, covered.translucent);
+    result.first_.assign(pixels + 1, 0);
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        result.translucent_.push_back({covered.translucent[i].depth, colors[i]});
+        ++result.first_[covered.translucent[i].pixel + 1];
+    }
+    std::partial_sum(result.first_.begin(), result.first_.end(), result.first_.begin());
+}
+
+/// Fragments of one surface are lit together.
+std::vector<glm::vec4> CastSurfaces::colorsOf(const PictureTile& tile, std::span<const Hit> hits) const
+{
+    std::vector<glm::vec4> colors(hits.size());
+    std::vector<std::size_t> order(hits.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return hits[a].triangle.surface < hits[b].triangle.surface;
+    });
+    for (std::size_t first = 0; first < order.size();) {
+        std::size_t end = first;
+        while (end < order.size() && end - first < kBatchSize &&
+               hits[order[end]].triangle.surface == hits[order[first]].triangle.surface)
+            ++end;
+        shade(tile, hits, std::span(order).subspan(first, end - first), colors);
+        first = end;
+    }
+    return colors;
+}
+
+void CastSurfaces::shade(const PictureTile& tile, std::span<const Hit> hits,
+                         std::span<const std::size_t> which, std::span<glm::vec4> colors) const
+{
+    const Prepared& prepared = surfaces_[hits[which[0]].triangle.surface];
+    const StyledSurface& styled = *prepared.styled;
+    SampleBatch batch{};
+    batch.count = static_cast<int>(which.size());
+    for (std::size_t i = 0; i < which.size(); ++i) {
+        const Hit& hit = hits[which[i]];
+        const auto pixel = static_cast<int>(hit.pixel);
+        const DepthRay ray = transformed(rays_.worldFromEye(), rays_.ray(tile.x + pixel % tile.width + 0.5,
+                                                                         tile.y + pixel / tile.width + 0.5));
+        const glm::vec3 position(ray.at(hit.depth));
+        const glm::vec3 V(glm::normalize(-ray.direction));
+        glm::dvec3 normal = prepared.normalMatrix * normalAt(styled, hit.triangle.corners, hit.weights);
+        if (!hit.front) normal = -normal;
+        const double length = glm::length(normal);
+        const glm::vec3 n(length > 0.0 ? normal / length : glm::dvec3(0.0));
+        const glm::vec4 color = styled.colors.empty()
+                                    ? glm::vec4(styled.diffuse, 1.0f - styled.transparency)
+                                    : weighted(styled.colors, hit.triangle.corners, hit.weights);
+        const glm::vec3 begun = styled.lit ? glm::vec3(color) : styled.emissive;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            batch.position[a][i] = position[axis];
+            batch.V[a][i] = V[axis];
+            batch.n[a][i] = n[axis];
+            batch.Cv[a][i] = begun[axis];
+        }
+        batch.Ov[i] = std::clamp(color.a, 0.0f, 1.0f);
+    }
+    prepared.shading->apply(prepared.surroundings, batch);
+    for (std::size_t i = 0; i < which.size(); ++i)
+        colors[which[i]] =
+            glm::vec4(glm::vec3(batch.Cv[0][i], batch.Cv[1][i], batch.Cv[2][i]) * batch.Ov[i], batch.Ov[i]);
+}
+
+} // namespace vo
