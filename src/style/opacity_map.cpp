@@ -1,5 +1,6 @@
 #include "style/glsl_chain.h"
 #include "style/styles.h"
+#include "style/transfer_function.h"
 
 #include <algorithm>
 #include <string>
@@ -11,11 +12,6 @@ namespace {
 
 const char* const kWithoutFunctionGlsl = R"(
 vec4 opaqueAtZero(vec4 color, StyleSample s) { return vec4(color.rgb, 1.0 - color.a); }
-)";
-
-// A value at the edge of a function takes its last texel, even where the texture repeats: values do not.
-const char* const kPlaceGlsl = R"(
-vec3 functionPlace(vec3 value, vec3 halfTexel) { return clamp(value, halfTexel, 1.0 - halfTexel); }
 )";
 
 /// The voxel's components that are places in the function.
@@ -77,14 +73,9 @@ void OpacityMapStyle::applyFunction(SampleBatch& samples) const
         for (std::size_t i = 0; i < kBatchSize; ++i)
             place[a][i] = samples.voxel[a][i];
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        const float half = halfTexel(axis);
-        for (float& coordinate : place[static_cast<std::size_t>(axis)])
-            coordinate = std::clamp(coordinate, half, 1.0f - half);
-    }
     std::array<BatchFloats, 4> texels{};
     const int components = fields_.transferFunction->components;
-    sampleTexture(*fields_.transferFunction, samples.count, place, texels);
+    sampleFunction(*fields_.transferFunction, samples.count, place, texels);
     for (std::size_t channel = 0; channel < 3; ++channel)
         samples.Cv[channel] = components < 3 ? texels[0] : texels[channel];
     if (components == 2 || components == 4)
@@ -107,11 +98,9 @@ void OpacityMapStyle::write(GlslChain& chain) const
     }
     const int components = fields_.transferFunction->components;
     const std::string colorOf = "texelColor" + std::to_string(components);
-    chain.function("functionPlace", kPlaceGlsl);
     chain.function(colorOf, colorOfTexelGlsl(components));
-    const std::string half = chain.uniform(glm::vec3(halfTexel(0), halfTexel(1), halfTexel(2)));
-    const std::string place = "functionPlace(" + placeInGlsl(fields_.voxelComponents) + ", " + half + ")";
-    const std::string texel = "styleTexture(" + chain.texture(fields_.transferFunction) + ", " + place + ")";
+    const std::string texel =
+        writeFunction(chain, fields_.transferFunction, placeInGlsl(fields_.voxelComponents));
     chain.statement("color = " + colorOf + "(" + texel + ");");
     if (fields_.voxelComponents == 4) chain.statement("color.a *= s.voxel.a;");
 }
