@@ -29,6 +29,7 @@ const FieldValue& Node::value(std::size_t slot) const
 
 void Node::put(std::size_t slot, FieldValue value)
 {
+    ++revision_;
     const auto found = std::ranges::lower_bound(settings_, slot, {}, &Setting::slot);
     if (found != settings_.end() && found->slot == slot)
         found->value = std::move(value);
@@ -38,6 +39,7 @@ void Node::put(std::size_t slot, FieldValue value)
 
 void Node::unset(std::size_t slot)
 {
+    ++revision_;
     std::erase_if(settings_, [&](const Setting& setting) { return setting.slot == slot; });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -40,7 +41,11 @@ public:
     const FieldValue& value(const FieldRow& row) const { return value(row.slot); }
     /// What was set; NULL where nothing was.
     const FieldValue* find(std::size_t slot) const;
-    FieldValue* find(std::size_t slot) { return const_cast<FieldValue*>(std::as_const(*this).find(slot)); }
+    FieldValue* find(std::size_t slot)
+    {
+        ++revision_;
+        return const_cast<FieldValue*>(std::as_const(*this).find(slot));
+    }
     /// Without a check; slots rise in settings().
     void put(std::size_t slot, FieldValue value);
     void unset(std::size_t slot);
@@ -50,6 +55,8 @@ public:
         FieldValue value;
     };
     const std::vector<Setting>& settings() const { return settings_; }
+    /// Another number after each change of a value, so that what was made of them can be kept.
+    std::uint64_t revision() const { return revision_; }
 
     /// The name of DEF, "" without one.
     std::string name;
@@ -65,6 +72,7 @@ private:
     const NodeType& type_;
     Edition edition_;
     std::vector<Setting> settings_;
+    std::uint64_t revision_ = 0;
 };
 
 /// An event of a field that goes to another.

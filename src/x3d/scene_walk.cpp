@@ -1,0 +1,215 @@
+#include "x3d/scene_walk.h"
+
+#include "x3d/node_lights.h"
+#include "x3d/node_transform.h"
+#include "x3d/node_values.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kMostDepth = 2000;
+constexpr std::size_t kMostVisits = 1'000'000;
+constexpr std::size_t kMostShown = 100'000;
+constexpr std::size_t kMostOctants = 8;
+
+/// How far a walk may go: nodes stand in many places, and a program may have put them below themselves.
+class WalkBudget
+{
+public:
+    bool enter(std::size_t depth)
+    {
+        isSpent_ = isSpent_ || depth > kMostDepth || visits_ >= kMostVisits;
+        ++visits_;
+        return !isSpent_;
+    }
+    bool isSpent() const { return isSpent_; }
+
+private:
+    std::size_t visits_ = 0;
+    bool isSpent_ = false;
+};
+
+glm::dmat4 matrixOf(const Node& node)
+{
+    return isOf(&node, "Transform") ? transformMatrix(node) : glm::dmat4(1.0);
+}
+
+/// All that stands below a group, shown or not.
+std::vector<const Node*> childrenOf(const Node& node)
+{
+    std::vector<const Node*> children(node.inlined.begin(), node.inlined.end());
+    for (const char* const field : {"children", "highRes", "lowRes"})
+        children.insert(children.end(), nodesOf(node, field).begin(), nodesOf(node, field).end());
+    return children;
+}
+
+class BindableSearch
+{
+public:
+    void visit(const Node& node, const glm::dmat4& worldFromParent, std::size_t depth)
+    {
+        if (!budget_.enter(depth)) return;
+        if (isOf(&node, "X3DBindableNode") && seen_.insert(&node).second)
+            found.push_back({&node, worldFromParent});
+        const glm::dmat4 worldFromNode = worldFromParent * matrixOf(node);
+        for (const Node* const child : childrenOf(node))
+            if (child) visit(*child, worldFromNode, depth + 1);
+    }
+
+    std::vector<PlacedNode> found;
+
+private:
+    WalkBudget budget_;
+    std::set<const Node*> seen_;
+};
+
+class ShownSearch
+{
+public:
+    ShownSearch(const std::optional<glm::dvec3>& eye, ViewMessages& messages) : eye_(eye), messages_(messages)
+    {
+    }
+
+    /// What falls on one child of a group falls on all.
+    void visitAll(std::span<const Node* const> children, const glm::dmat4& worldFromGroup)
+    {
+        const std::size_t lightsBefore = lights_.size(), planesBefore = planes_.size();
+        for (const Node* const child : children)
+            if (child) openScope(*child, worldFromGroup);
+        for (const Node* const child : children)
+            if (child) visit(*child, worldFromGroup);
+        lights_.resize(lightsBefore);
+        planes_.resize(planesBefore);
+    }
+
+    ShownNodes result()
+    {
+        for (ShownNode& shown : found_.nodes)
+            shown.lights.insert(shown.lights.end(), globalLights_.begin(), globalLights_.end());
+        return std::move(found_);
+    }
+
+private:
+    void openScope(const Node& node, const glm::dmat4& worldFromGroup)
+    {
+        if (isOf(&node, "X3DLightNode") && boolOf(node, "on", true)) {
+            if (boolOf(node, "shadows")) messages_.warn(node, node.typeName() + ".shadows is not drawn");
+            auto& scope = boolOf(node, "global") ? globalLights_ : lights_;
+            scope.push_back(worldLight(node, worldFromGroup));
+        }
+        if (isOf(&node, "ClipPlane") && boolOf(node, "enabled", true) && isInvertible(worldFromGroup))
+            planes_.push_back(glm::transpose(glm::inverse(worldFromGroup)) *
+                              glm::dvec4(vec4Of(node, "plane")));
+    }
+
+    void visit(const Node& node, const glm::dmat4& worldFromParent)
+    {
+        if (!boolOf(node, "visible", true)) return;
+        if (!budget_.enter(path_.size()) || found_.nodes.size() >= kMostShown) {
+            messages_.error(node, "expected scenes at most " + std::to_string(kMostDepth) + " deep, with " +
+                                      std::to_string(kMostShown) + " volumes and shapes in " +
+                                      std::to_string(kMostVisits) + " places, found more: cut off");
+            return;
+        }
+        path_.push_back(&node);
+        if (isOf(&node, "X3DVolumeDataNode") || isOf(&node, "X3DShapeNode"))
+            show(node, worldFromParent);
+        else {
+            const glm::dmat4 worldFromNode = worldFromParent * matrixOf(node);
+            visitAll(shownChildren(node, worldFromNode), worldFromNode);
+        }
+        path_.pop_back();
+    }
+
+    void show(const Node& node, const glm::dmat4& worldFromLocal)
+    {
+        if (isInvertible(worldFromLocal))
+            found_.nodes.push_back({&node, worldFromLocal, path_, lights_, planes_});
+        else
+            messages_.warn(node, node.typeName() + " stands in a Transform without extent: not drawn");
+    }
+
+    std::vector<const Node*> shownChildren(const Node& node, const glm::dmat4& worldFromNode)
+    {
+        if (isOf(&node, "Switch")) return childAt(node, integerOf(node, "whichChoice", -1));
+        if (isOf(&node, "LOD")) return childAt(node, levelOf(node, worldFromNode));
+        if (isOf(&node, "OctTree")) return octants(node, worldFromNode);
+        if (isOf(&node, "Inline") && !boolOf(node, "load", true)) return {};
+        return childrenOf(node);
+    }
+
+    static std::vector<const Node*> childAt(const Node& node, int index)
+    {
+        const auto& children = nodesOf(node, "children");
+        if (index < 0 || static_cast<std::size_t>(index) >= children.size()) return {};
+        return {children[static_cast<std::size_t>(index)]};
+    }
+
+    /// In the space of the node.
+    double distanceToEye(const Node& node, const glm::dmat4& worldFromNode) const
+    {
+        if (!eye_ || !isInvertible(worldFromNode)) return 0.0;
+        const glm::dvec3 eye(glm::inverse(worldFromNode) * glm::dvec4(*eye_, 1.0));
+        return glm::distance(eye, glm::dvec3(vec3Of(node, "center")));
+    }
+
+    int levelOf(const Node& node, const glm::dmat4& worldFromNode)
+    {
+        const double distance = distanceToEye(node, worldFromNode);
+        const auto& range = floatsOf(node, "range");
+        const auto last = static_cast<std::ptrdiff_t>(nodesOf(node, "children").size()) - 1;
+        const auto beyond = std::ranges::find_if(range, [&](float limit) { return distance < limit; });
+        const auto level = eye_ ? std::min<std::ptrdiff_t>(beyond - range.begin(), last) : 0;
+        found_.levels.push_back({&node, static_cast<int>(std::max<std::ptrdiff_t>(level, 0))});
+        return found_.levels.back().level;
+    }
+
+    std::vector<const Node*> octants(const Node& node, const glm::dmat4& worldFromNode)
+    {
+        const bool isFar = distanceToEye(node, worldFromNode) > static_cast<double>(floatOf(node, "range"));
+        found_.levels.push_back({&node, isFar ? 1 : 0});
+        if (isFar) return {nodeOf(node, "lowRes")};
+        const auto& highRes = nodesOf(node, "highRes");
+        if (highRes.size() > kMostOctants)
+            messages_.warn(node, "expected at most " + std::to_string(kMostOctants) +
+                                     " nodes in OctTree.highRes, found " + std::to_string(highRes.size()) +
+                                     ": the first are drawn");
+        return {highRes.begin(),
+                highRes.begin() + static_cast<std::ptrdiff_t>(std::min(highRes.size(), kMostOctants))};
+    }
+
+    std::optional<glm::dvec3> eye_;
+    ViewMessages& messages_;
+    WalkBudget budget_;
+    ShownNodes found_;
+    std::vector<const Node*> path_;
+    std::vector<StyleLight> lights_, globalLights_;
+    std::vector<glm::dvec4> planes_;
+};
+
+} // namespace
+
+std::vector<PlacedNode> bindableNodes(const Scene& scene)
+{
+    BindableSearch search;
+    for (const Node* const root : scene.roots)
+        search.visit(*root, glm::dmat4(1.0), 0);
+    return std::move(search.found);
+}
+
+ShownNodes shownNodes(const Scene& scene, const std::optional<glm::dvec3>& eye, ViewMessages& messages)
+{
+    ShownSearch search(eye, messages);
+    const std::vector<const Node*> roots(scene.roots.begin(), scene.roots.end());
+    search.visitAll(roots, glm::dmat4(1.0));
+    return search.result();
+}
+
+} // namespace vo

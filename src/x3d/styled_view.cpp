@@ -1,0 +1,156 @@
+#include "x3d/styled_view.h"
+
+#include "x3d/node_cameras.h"
+#include "x3d/node_lights.h"
+#include "x3d/node_transform.h"
+#include "x3d/node_values.h"
+#include "x3d/scene_walk.h"
+#include "x3d/sky_colors.h"
+#include "x3d/view_messages.h"
+#include "x3d/volume_nodes.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace vo {
+namespace {
+
+/// The one that is bound at first: of the scene's own file, not of an Inline.
+PlacedNode firstOf(const std::vector<PlacedNode>& nodes, const char* typeName)
+{
+    const auto found = std::ranges::find_if(
+        nodes, [&](const PlacedNode& each) { return each.node->scope == 0 && isOf(each.node, typeName); });
+    return found == nodes.end() ? PlacedNode{} : *found;
+}
+
+} // namespace
+
+struct SceneView::Private
+{
+    explicit Private(Scene& whole) : scene(whole), messages(whole), volumes(whole, messages) {}
+
+    PlacedNode viewpointOf(const ViewRequest& request, const std::vector<PlacedNode>& bindables) const;
+    ViewBox boxOf(const Node& node);
+    ViewBox boxOf(const ShownNodes& nodes, const glm::dmat4& matrix);
+    glm::dmat4 eyeOf(const ViewRequest& request, const PlacedNode& viewpoint);
+    void addHeadlight(const ViewRequest& request, const Node* viewpoint,
+                      const std::vector<PlacedNode>& bindables, const glm::dmat4& eyeFromWorld);
+    void addShown(StyledScene& styled);
+
+    Scene& scene;
+    ViewMessages messages;
+    VolumeNodes volumes;
+    ShownNodes shown;
+};
+
+PlacedNode SceneView::Private::viewpointOf(const ViewRequest& request,
+                                           const std::vector<PlacedNode>& bindables) const
+{
+    if (!request.viewpoint) return firstOf(bindables, "X3DViewpointNode");
+    const auto found = std::ranges::find(bindables, request.viewpoint, &PlacedNode::node);
+    return found == bindables.end() ? PlacedNode{request.viewpoint} : *found;
+}
+
+ViewBox SceneView::Private::boxOf(const Node& node)
+{
+    return isOf(&node, "X3DVolumeDataNode") ? volumeBox(node) : ViewBox{};
+}
+
+ViewBox SceneView::Private::boxOf(const ShownNodes& nodes, const glm::dmat4& matrix)
+{
+    ViewBox box;
+    for (const ShownNode& each : nodes.nodes)
+        box.add(boxOf(*each.node), matrix * each.worldFromLocal);
+    return box;
+}
+
+glm::dmat4 SceneView::Private::eyeOf(const ViewRequest& request, const PlacedNode& viewpoint)
+{
+    if (request.camera) return request.camera->eyeFromWorld;
+    const glm::dmat4 eyeFromWorld = eyeFromWorldOf(viewpoint);
+    if (viewpoint.node && !boolOf(*viewpoint.node, "viewAll")) return eyeFromWorld;
+    const ViewBox world = boxOf(shownNodes(scene, {}, messages), glm::dmat4(1.0));
+    return eyeThatSeesAll(viewpoint, eyeFromWorld, world, request.width, request.height);
+}
+
+/// Before all other lights, so that it is not the one that is left out.
+void SceneView::Private::addHeadlight(const ViewRequest& request, const Node* viewpoint,
+                                      const std::vector<PlacedNode>& bindables,
+                                      const glm::dmat4& eyeFromWorld)
+{
+    const Node* info = viewpoint ? vo::nodeOf(*viewpoint, "navigationInfo") : nullptr;
+    if (!info) info = firstOf(bindables, "NavigationInfo").node;
+    if (!request.headlight || (info && !boolOf(*info, "headlight", true))) return;
+    for (ShownNode& each : shown.nodes)
+        each.lights.insert(each.lights.begin(), headlight(eyeFromWorld));
+}
+
+/// The id of a node is its place among those that are shown, from 1.
+void SceneView::Private::addShown(StyledScene& styled)
+{
+    for (std::size_t i = 0; i < shown.nodes.size(); ++i) {
+        const ShownNode& each = shown.nodes[i];
+        const int id = static_cast<int>(i) + 1;
+        if (isOf(each.node, "X3DVolumeDataNode")) {
+            if (auto volume = volumes.of(each)) {
+                volume->id = id;
+                styled.volumes.push_back(std::move(*volume));
+            }
+        }
+    }
+}
+
+SceneView::SceneView(Scene& scene) : d(std::make_unique<Private>(scene)) {}
+
+SceneView::~SceneView() = default;
+
+StyledScene SceneView::styledScene(const ViewRequest& request)
+{
+    ViewRequest asked = request;
+    asked.width = std::max(asked.width, 1);
+    asked.height = std::max(asked.height, 1);
+    const std::vector<PlacedNode> bindables = bindableNodes(d->scene);
+    const PlacedNode viewpoint = d->viewpointOf(asked, bindables);
+    StyledScene styled;
+    styled.width = asked.width;
+    styled.height = asked.height;
+    styled.eyeFromWorld = d->eyeOf(asked, viewpoint);
+    d->shown = shownNodes(d->scene, glm::dvec3(glm::inverse(styled.eyeFromWorld)[3]), d->messages);
+    const ViewBox eyeBox = d->boxOf(d->shown, styled.eyeFromWorld);
+    styled.clipFromEye = asked.camera ? asked.camera->clipFromEye
+                                      : clipFromEyeOf(viewpoint, eyeBox, asked.width, asked.height);
+    d->addHeadlight(asked, viewpoint.node, bindables, styled.eyeFromWorld);
+    if (const PlacedNode background = firstOf(bindables, "Background"); background.node)
+        styled.background = skyColors(background, d->messages);
+    d->addShown(styled);
+    return styled;
+}
+
+const Node* SceneView::nodeOf(int id) const
+{
+    const auto& nodes = d->shown.nodes;
+    return id < 1 || static_cast<std::size_t>(id) > nodes.size()
+               ? nullptr
+               : nodes[static_cast<std::size_t>(id) - 1].node;
+}
+
+std::vector<const Node*> SceneView::pathOf(int id) const
+{
+    return nodeOf(id) ? d->shown.nodes[static_cast<std::size_t>(id) - 1].path : std::vector<const Node*>();
+}
+
+const std::vector<ShownLevel>& SceneView::shownLevels() const
+{
+    return d->shown.levels;
+}
+
+std::vector<const Node*> SceneView::viewpoints() const
+{
+    std::vector<const Node*> found;
+    for (const PlacedNode& each : bindableNodes(d->scene))
+        if (isOf(each.node, "X3DViewpointNode")) found.push_back(each.node);
+    return found;
+}
+
+} // namespace vo

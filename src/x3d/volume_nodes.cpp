@@ -1,0 +1,271 @@
+#include "x3d/volume_nodes.h"
+
+#include "x3d/node_lights.h"
+#include "x3d/node_transform.h"
+#include "x3d/node_values.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+namespace vo {
+namespace {
+
+constexpr double kMostPlanes = 4096.0;
+constexpr std::size_t kMostSurfaces = 256;
+constexpr std::size_t kMostLights = 8;
+
+double shortestEdge(const StyledVolume& volume)
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        shortest =
+            std::min(shortest, static_cast<double>(volume.dimensions[axis]) / volume.voxels->size[axis]);
+    return shortest;
+}
+
+/// So that a box seen along its diagonal has no more than kMostPlanes.
+double planeSpacing(const StyledVolume& volume)
+{
+    const glm::dmat3 linear(volume.worldFromLocal);
+    double diagonal = 0.0;
+    for (const double y : {-1.0, 1.0})
+        for (const double z : {-1.0, 1.0}) {
+            const glm::dvec3 corner = glm::dvec3(volume.dimensions) * glm::dvec3(1.0, y, z);
+            diagonal = std::max(diagonal, glm::length(linear * corner));
+        }
+    return std::max(volume.unitLength * smallestScale(volume.worldFromLocal), diagonal / kMostPlanes);
+}
+
+} // namespace
+
+ViewBox volumeBox(const Node& node)
+{
+    const glm::dvec3 half = glm::dvec3(vec3Of(node, "dimensions", glm::vec3(1.0f))) / 2.0;
+    ViewBox box;
+    if (half.x > 0.0 && half.y > 0.0 && half.z > 0.0) {
+        box.add(-half);
+        box.add(half);
+    }
+    return box;
+}
+
+std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
+{
+    const Node& node = *shown.node;
+    StyledVolume volume;
+    volume.worldFromLocal = shown.worldFromLocal;
+    volume.dimensions = vec3Of(node, "dimensions", glm::vec3(1.0f));
+    if (volumeBox(node).isEmpty()) {
+        messages_.warn(node, node.typeName() + ".dimensions: expected numbers above 0, found 0: not drawn");
+        return {};
+    }
+    if (!fill(node, volume)) return {};
+    volume.clipPlanes = shown.clipPlanes;
+    volume.unitLength = shortestEdge(volume);
+    volume.spacing = planeSpacing(volume);
+    light(shown, volume);
+    return volume;
+}
+
+void VolumeNodes::light(const ShownNode& shown, StyledVolume& volume)
+{
+    const glm::dmat4 localFromWorld = glm::inverse(shown.worldFromLocal);
+    for (const StyleLight& each : shown.lights)
+        volume.surroundings.lights.push_back(localLight(each, localFromWorld));
+    if (volume.surroundings.lights.size() <= kMostLights) return;
+    messages_.warn(*shown.node, "expected at most " + std::to_string(kMostLights) + " lights, found " +
+                                    std::to_string(volume.surroundings.lights.size()) +
+                                    ": the first shine on it");
+    volume.surroundings.lights.resize(kMostLights);
+}
+
+bool VolumeNodes::fill(const Node& node, StyledVolume& volume)
+{
+    if (isOf(&node, "SegmentedVolumeData")) return fillSegmented(node, volume);
+    if (isOf(&node, "IsoSurfaceVolumeData")) return fillSurfaces(node, volume);
+    return fillPlain(node, volume);
+}
+
+bool VolumeNodes::fillPlain(const Node& node, StyledVolume& volume)
+{
+    const Node* const texture = nodeOf(node, "voxels");
+    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
+    volume.voxels = textures_.of(texture);
+    if (!volume.voxels) return false;
+    DrawnStyle style = styles_.of(nodeOf(node, "renderStyle"), node.edition(), *volume.voxels);
+    if (style.isSurface) {
+        constexpr float kMiddle = 0.5f;
+        volume.surfaces = IsoSurfaces{{kMiddle}, {style.chain}, 0.0f, nullptr};
+    }
+    volume.chains = {std::move(style.chain)};
+    volume.projection = style.projection;
+    volume.stipple = std::move(style.stipple);
+    return style.isEnabled;
+}
+
+bool VolumeNodes::fillSegmented(const Node& node, StyledVolume& volume)
+{
+    Segments segments;
+    const bool isOld = node.edition() == Edition::proposal2005;
+    if (!(isOld ? takeSegmentedVoxels(node, volume, segments) : takeIdentifiers(node, volume, segments)))
+        return false;
+    const auto& renderStyles = nodesOf(node, "renderStyle");
+    const auto& enabled = integersOf(node, "segmentEnabled");
+    volume.chains.clear();
+    segments.beyond = addSegmentChain(nullptr, node, volume);
+    segments.chainOf.resize(std::max(renderStyles.size(), enabled.size()), segments.beyond);
+    std::map<const Node*, int> chainOfStyle;
+    for (std::size_t id = 0; id < segments.chainOf.size(); ++id) {
+        const bool isOn = id >= enabled.size() || enabled[id] != 0;
+        if (isOn && id < renderStyles.size()) {
+            const auto [found, isNew] = chainOfStyle.emplace(renderStyles[id], 0);
+            if (isNew) found->second = addSegmentChain(renderStyles[id], node, volume);
+            segments.chainOf[id] = found->second;
+        } else if (!isOn)
+            segments.chainOf[id] = -1;
+    }
+    if (segments.identifiers) volume.segments = std::move(segments);
+    return true;
+}
+
+/// The chain's number, or -1 where its style is not enabled.
+int VolumeNodes::addSegmentChain(const Node* style, const Node& node, StyledVolume& volume)
+{
+    DrawnStyle drawn = styles_.of(style, node.edition(), *volume.voxels);
+    if (!drawn.isEnabled) return -1;
+    if (drawn.projection || drawn.stipple || drawn.isSurface)
+        messages_.warn(*style, style->typeName() + " in SegmentedVolumeData: segments are drawn by samples");
+    volume.chains.push_back(std::move(drawn.chain));
+    return static_cast<int>(volume.chains.size()) - 1;
+}
+
+/// The proposal of 2005 has values and numbers of segments in one texture.
+bool VolumeNodes::takeSegmentedVoxels(const Node& node, StyledVolume& volume, Segments& segments)
+{
+    const Node* const texture = nodeOf(node, "segmentedVoxels");
+    if (!texture) messages_.warn(node, node.typeName() + " has no segmentedVoxels: not drawn");
+    const auto values = textures_.of(texture);
+    if (!values) return false;
+    if (values->components == 1) {
+        messages_.warn(node, "expected 2, 3 or 4 components in segmentedVoxels, found 1: nothing is drawn");
+        return false;
+    }
+    segments.component = values->components - 1;
+    segments.identifiers = textures_.of(texture, TexelUse::identifiers);
+    volume.voxels = textures_.firstComponents(values, segments.component);
+    segments.scale = segments.identifiers->kind == TexelKind::uint16 ? 65535.0f : 255.0f;
+    return true;
+}
+
+bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments)
+{
+    const Node* const texture = nodeOf(node, "voxels");
+    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
+    volume.voxels = textures_.of(texture);
+    if (!volume.voxels) return false;
+    const Node* const identifiers = nodeOf(node, "segmentIdentifiers");
+    auto numbers = textures_.of(identifiers, TexelUse::identifiers);
+    if (!numbers) return true;
+    if (!(numbers->size == volume.voxels->size)) {
+        messages_.warn(*identifiers,
+                       "expected segmentIdentifiers of the voxels' size, found another: ignored");
+        return true;
+    }
+    segments.scale = numbers->kind == TexelKind::uint16 ? 65535.0f : 255.0f;
+    segments.identifiers = std::move(numbers);
+    return true;
+}
+
+bool VolumeNodes::fillSurfaces(const Node& node, StyledVolume& volume)
+{
+    const Node* const texture = nodeOf(node, "voxels");
+    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
+    volume.voxels = textures_.of(texture);
+    if (!volume.voxels) return false;
+    IsoSurfaces surfaces;
+    std::vector<std::size_t> styleOf;
+    const std::vector<float> values = surfaceValues(node, *volume.voxels, styleOf);
+    const auto& renderStyles = nodesOf(node, "renderStyle");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Node* const style =
+            renderStyles.empty() ? nullptr : renderStyles[std::min(styleOf[i], renderStyles.size() - 1)];
+        DrawnStyle drawn = styles_.of(style, node.edition(), *volume.voxels);
+        if (drawn.projection || drawn.stipple)
+            messages_.warn(*style, style->typeName() + " in IsoSurfaceVolumeData: surfaces are drawn");
+        if (!drawn.isEnabled) continue;
+        surfaces.values.push_back(values[i]);
+        surfaces.chains.push_back(std::move(drawn.chain));
+    }
+    if (surfaces.values.empty()) return false;
+    surfaces.surfaceTolerance = floatOf(node, "surfaceTolerance");
+    surfaces.gradients = styles_.normals(node, nodeOf(node, "gradients"), *volume.voxels);
+    volume.surfaces = std::move(surfaces);
+    return true;
+}
+
+/// The values, rising, and for each the number of its style: as they are listed, or, with a step, the value
+/// itself first and then those that the step adds, from the smallest.
+std::vector<float> VolumeNodes::surfaceValues(const Node& node, const VoxelTexture& voxels,
+                                              std::vector<std::size_t>& styleOf)
+{
+    struct Surface
+    {
+        float value;
+        std::size_t style;
+    };
+    std::vector<Surface> surfaces;
+    for (const float value : floatsOf(node, "surfaceValues"))
+        surfaces.push_back({value, surfaces.size()});
+    const double step = std::abs(static_cast<double>(floatOf(node, "contourStepSize")));
+    if (surfaces.size() == 1 && step > 0.0) {
+        const ValueRange range = rangeOf(voxels);
+        const double first = surfaces[0].value;
+        const double below = std::ceil((range.low - first) / step),
+                     above = std::floor((range.high - first) / step);
+        if (above - below >= static_cast<double>(kMostSurfaces))
+            messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) +
+                                     " surfaces by contourStepSize, found more: the smallest are drawn");
+        for (double k = below; k <= above && surfaces.size() < kMostSurfaces; ++k)
+            if (k != 0.0) surfaces.push_back({static_cast<float>(first + k * step), surfaces.size()});
+    }
+    if (surfaces.size() > kMostSurfaces) {
+        messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) + " surfaceValues, found " +
+                                 std::to_string(surfaces.size()) + ": the first are drawn");
+        surfaces.resize(kMostSurfaces);
+    }
+    std::ranges::stable_sort(surfaces, {}, &Surface::value);
+    const auto same = std::ranges::unique(surfaces, {}, &Surface::value);
+    surfaces.erase(same.begin(), same.end());
+    std::vector<float> values;
+    for (const Surface& surface : surfaces) {
+        values.push_back(surface.value);
+        styleOf.push_back(surface.style);
+    }
+    return values;
+}
+
+VolumeNodes::ValueRange VolumeNodes::rangeOf(const VoxelTexture& voxels)
+{
+    const auto [found, isNew] = ranges_.emplace(voxels.serial, ValueRange{0.0f, 1.0f});
+    if (!isNew) return found->second;
+    const std::size_t bytes = bytesOf(voxels.kind),
+                      texel = bytes * static_cast<std::size_t>(voxels.components);
+    float low = std::numeric_limits<float>::infinity(), high = -low;
+    for (std::size_t at = 0; at + texel <= voxels.texels.size(); at += texel) {
+        std::uint16_t two = 0;
+        float value = 0.0f;
+        std::memcpy(bytes == 4 ? static_cast<void*>(&value) : &two, voxels.texels.data() + at, bytes);
+        if (bytes < 4) value = static_cast<float>(two) / (bytes == 1 ? 255.0f : 65535.0f);
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    return found->second = {low, high};
+}
+
+} // namespace vo

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "style/styled_scene.h"
+#include "x3d/node_cameras.h"
+#include "x3d/scene_walk.h"
+#include "x3d/volume_styles.h"
+
+#include <map>
+#include <optional>
+
+namespace vo {
+
+/// The box of a volume node, local; empty where it has no extent.
+ViewBox volumeBox(const Node& node);
+
+/// Makes volumes of volume nodes.
+class VolumeNodes
+{
+public:
+    VolumeNodes(const Scene& scene, ViewMessages& messages)
+        : messages_(messages), textures_(scene, messages), styles_(textures_, messages)
+    {
+    }
+
+    /// Nothing where nothing of it is drawn. Lights are those that the node was found with.
+    std::optional<StyledVolume> of(const ShownNode& shown);
+
+private:
+    bool fill(const Node& node, StyledVolume& volume);
+    bool fillPlain(const Node& node, StyledVolume& volume);
+    bool fillSegmented(const Node& node, StyledVolume& volume);
+    bool fillSurfaces(const Node& node, StyledVolume& volume);
+    bool takeSegmentedVoxels(const Node& node, StyledVolume& volume, Segments& segments);
+    bool takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments);
+    int addSegmentChain(const Node* style, const Node& node, StyledVolume& volume);
+    std::vector<float> surfaceValues(const Node& node, const VoxelTexture& voxels,
+                                     std::vector<std::size_t>& styleOf);
+    void light(const ShownNode& shown, StyledVolume& volume);
+
+    struct ValueRange
+    {
+        float low, high;
+    };
+    ValueRange rangeOf(const VoxelTexture& voxels);
+
+    ViewMessages& messages_;
+    VoxelTextures textures_;
+    VolumeStyles styles_;
+    std::map<std::uint64_t, ValueRange> ranges_; // by the texture's serial
+};
+
+} // namespace vo

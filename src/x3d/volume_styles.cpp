@@ -1,0 +1,243 @@
+#include "x3d/volume_styles.h"
+
+#include "style/styles.h"
+#include "x3d/fixed_opacity.h"
+#include "x3d/node_values.h"
+
+#include <string>
+#include <string_view>
+
+namespace vo {
+namespace {
+
+constexpr int kMostDepth = 50;
+
+RayProjection::Type projectionType(std::string_view name)
+{
+    return name == "MIN"       ? RayProjection::Type::min
+           : name == "AVERAGE" ? RayProjection::Type::average
+                               : RayProjection::Type::max;
+}
+
+Blended::Weight weightFunction(std::string_view name)
+{
+    return name == "ALPHA0"             ? Blended::Weight::alpha0
+           : name == "ALPHA1"           ? Blended::Weight::alpha1
+           : name == "ONE_MINUS_ALPHA0" ? Blended::Weight::oneMinusAlpha0
+           : name == "ONE_MINUS_ALPHA1" ? Blended::Weight::oneMinusAlpha1
+           : name == "TABLE"            ? Blended::Weight::table
+                                        : Blended::Weight::constant;
+}
+
+bool isSet(const Node& node, const char* field)
+{
+    const FieldRow* const row = node.field(field);
+    return row && node.isSet(row->slot);
+}
+
+} // namespace
+
+DrawnStyle VolumeStyles::of(const Node* style, Edition edition, const VoxelTexture& voxels)
+{
+    DrawnStyle drawn;
+    if (style)
+        add(*style, voxels, drawn, 0);
+    else
+        addMap(nullptr, edition == Edition::proposal2005, voxels, drawn);
+    return drawn;
+}
+
+void VolumeStyles::add(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn, int depth)
+{
+    if (depth > kMostDepth)
+        return messages_.error(style, "expected styles at most " + std::to_string(kMostDepth) +
+                                          " below each other, found more: left out");
+    drawn.isEnabled = drawn.isEnabled && boolOf(style, "enabled", true);
+    if (isOf(&style, "ComposedVolumeStyle")) {
+        const bool isComposite = style.edition() == Edition::proposal2005;
+        for (const Node* const each : nodesOf(style, isComposite ? "styles" : "renderStyle"))
+            if (each) add(*each, voxels, drawn, depth + 1);
+    } else if (isOf(&style, "OpacityMapVolumeStyle"))
+        addMap(nodeOf(style, "transferFunction"), style.edition() == Edition::proposal2005, voxels, drawn);
+    else if (isOf(&style, "BoundaryEnhancementVolumeStyle"))
+        addBoundary(style, voxels, drawn);
+    else if (isOf(&style, "CartoonVolumeStyle"))
+        addCartoon(style, voxels, drawn);
+    else if (isOf(&style, "EdgeEnhancementVolumeStyle"))
+        addEdge(style, voxels, drawn);
+    else if (isOf(&style, "SilhouetteEnhancementVolumeStyle"))
+        addSilhouette(style, voxels, drawn);
+    else if (isOf(&style, "ToneMappedVolumeStyle"))
+        addToneMapped(style, voxels, drawn);
+    else if (isOf(&style, "ShadedVolumeStyle") || isOf(&style, "ISOSurfaceVolumeStyle"))
+        addShaded(style, voxels, drawn);
+    else if (isOf(&style, "BlendedVolumeStyle"))
+        addBlended(style, drawn, depth);
+    else if (isOf(&style, "ProjectionVolumeStyle"))
+        addProjection(style, drawn);
+    else if (isOf(&style, "StippleVolumeStyle"))
+        addStipple(style, drawn);
+}
+
+void VolumeStyles::addMap(const Node* function, bool opaqueAtZero, const VoxelTexture& voxels,
+                          DrawnStyle& drawn)
+{
+    OpacityMap fields;
+    fields.transferFunction = textures_.of(function, TexelUse::table);
+    fields.opaqueAtZero = opaqueAtZero;
+    fields.voxelComponents = voxels.components;
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addBoundary(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    if (const Node* const function = nodeOf(style, "transferFunction")) addMap(function, true, voxels, drawn);
+    for (const char* const field : {"contribution", "gradientColor", "surfaceNormals"})
+        ignore(style, field);
+    BoundaryEnhancement fields;
+    fields.retainedOpacity = floatOf(style, "retainedOpacity");
+    fields.boundaryOpacity = floatOf(style, "boundaryOpacity");
+    fields.opacityFactor = floatOf(style, "opacityFactor");
+    drawn.chain.push_back(makeStyle(fields));
+}
+
+void VolumeStyles::addCartoon(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    Cartoon fields;
+    fields.parallelColor = vec4Of(style, "parallelColor");
+    fields.orthogonalColor = vec4Of(style, "orthogonalColor");
+    fields.colorSteps = integerOf(style, "colorSteps");
+    fields.surfaceNormals = surfaceNormals(style, voxels);
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addEdge(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    ignore(style, "contribution");
+    EdgeEnhancement fields;
+    fields.edgeColor = vec4Of(style, "edgeColor");
+    fields.gradientThreshold = floatOf(style, "gradientThreshold");
+    fields.surfaceNormals = surfaceNormals(style, voxels);
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+/// The proposal's equation is ISO's with nothing retained and a boundary opacity of 1.
+void VolumeStyles::addSilhouette(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    const bool isOld = style.edition() == Edition::proposal2005;
+    SilhouetteEnhancement fields;
+    fields.retainedOpacity = isOld ? 0.0f : floatOf(style, "silhouetteRetainedOpacity");
+    fields.boundaryOpacity = isOld ? 1.0f : floatOf(style, "silhouetteBoundaryOpacity");
+    fields.sharpness = floatOf(style, isOld ? "silhouetteFactor" : "silhouetteSharpness");
+    fields.surfaceNormals = surfaceNormals(style, voxels);
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addToneMapped(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    ToneMapped fields;
+    fields.coolColor = vec4Of(style, "coolColor");
+    fields.warmColor = vec4Of(style, "warmColor");
+    fields.surfaceNormals = surfaceNormals(style, voxels);
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addShaded(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+{
+    Shaded fields;
+    fields.lighting = boolOf(style, "lighting");
+    if (fields.lighting && boolOf(style, "shadows"))
+        messages_.warn(style, style.typeName() + ".shadows is not drawn");
+    if (const Node* const material = nodeOf(style, "material")) {
+        fields.hasMaterial = true;
+        fields.ambientIntensity = floatOf(*material, "ambientIntensity", fields.ambientIntensity);
+        fields.shininess = floatOf(*material, "shininess", fields.shininess);
+        fields.transparency = floatOf(*material, "transparency", fields.transparency);
+        fields.diffuse = vec3Of(*material, "diffuseColor", fields.diffuse);
+        fields.emissive = vec3Of(*material, "emissiveColor", fields.emissive);
+        fields.specular = vec3Of(*material, "specularColor", fields.specular);
+    }
+    fields.surfaceNormals = surfaceNormals(style, voxels);
+    if (isOf(&style, "ISOSurfaceVolumeStyle")) {
+        drawn.isSurface = true;
+        drawn.chain.push_back(fixedOpacity(1.0f));
+    }
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addBlended(const Node& style, DrawnStyle& drawn, int depth)
+{
+    Blended fields;
+    fields.voxels = textures_.of(nodeOf(style, "voxels"));
+    if (!fields.voxels)
+        return messages_.warn(style, "expected voxels in BlendedVolumeStyle, found none: left out");
+    DrawnStyle other;
+    if (const Node* const otherStyle = nodeOf(style, "renderStyle"))
+        add(*otherStyle, *fields.voxels, other, depth + 1);
+    else
+        addMap(nullptr, false, *fields.voxels, other);
+    if (other.projection || other.stipple)
+        messages_.warn(style, "a projection or stipples in BlendedVolumeStyle.renderStyle are not drawn");
+    if (!other.isEnabled) other.chain = {fixedOpacity(0.0f)};
+    fields.chain = std::move(other.chain);
+    fields.weightFunction1 = weightFunction(stringOf(style, "weightFunction1"));
+    fields.weightFunction2 = weightFunction(stringOf(style, "weightFunction2"));
+    fields.weightConstant1 = floatOf(style, "weightConstant1");
+    fields.weightConstant2 = floatOf(style, "weightConstant2");
+    fields.weightTransferFunction1 = textures_.of(nodeOf(style, "weightTransferFunction1"), TexelUse::table);
+    fields.weightTransferFunction2 = textures_.of(nodeOf(style, "weightTransferFunction2"), TexelUse::table);
+    drawn.chain.push_back(makeStyle(std::move(fields)));
+}
+
+void VolumeStyles::addProjection(const Node& style, DrawnStyle& drawn)
+{
+    drawn.projection =
+        RayProjection{projectionType(stringOf(style, "type")), floatOf(style, "intensityThreshold")};
+}
+
+void VolumeStyles::addStipple(const Node& style, DrawnStyle& drawn)
+{
+    StippleFactors fields;
+    fields.distanceFactor = floatOf(style, "distanceFactor");
+    fields.interiorFactor = floatOf(style, "interiorFactor");
+    fields.lightingFactor = floatOf(style, "lightingFactor");
+    fields.resolutionFactor = floatOf(style, "resolutionFactor");
+    fields.gradientThreshold = floatOf(style, "gradientThreshold");
+    fields.gradientRetainedOpacity = floatOf(style, "gradientRetainedOpacity");
+    fields.gradientBoundaryOpacity = floatOf(style, "gradientBoundaryOpacity");
+    fields.gradientOpacityFactor = floatOf(style, "gradientOpacityFactor");
+    fields.silhouetteRetainedOpacity = floatOf(style, "silhouetteRetainedOpacity");
+    fields.silhouetteBoundaryOpacity = floatOf(style, "silhouetteBoundaryOpacity");
+    fields.silhouetteOpacityFactor = floatOf(style, "silhouetteOpacityFactor");
+    drawn.stipple = std::move(fields);
+}
+
+std::shared_ptr<const VoxelTexture> VolumeStyles::normals(const Node& owner, const Node* node,
+                                                          const VoxelTexture& voxels)
+{
+    auto texture = textures_.of(node);
+    if (!texture) return nullptr;
+    const auto sizeText = [](const VoxelSize& size) {
+        return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
+    };
+    if (texture->components >= 3 && texture->size == voxels.size) return texture;
+    messages_.warn(owner, owner.typeName() + ": expected normals of the voxels' size, " +
+                              sizeText(voxels.size) + ", with 3 components, found " +
+                              sizeText(texture->size) + " with " + std::to_string(texture->components) +
+                              ": computed from the voxels instead");
+    return nullptr;
+}
+
+std::shared_ptr<const VoxelTexture> VolumeStyles::surfaceNormals(const Node& style,
+                                                                 const VoxelTexture& voxels)
+{
+    return normals(style, nodeOf(style, "surfaceNormals"), voxels);
+}
+
+void VolumeStyles::ignore(const Node& style, const char* field)
+{
+    if (isSet(style, field))
+        messages_.warn(style, style.typeName() + "." + field + " is in no equation and changes nothing");
+}
+
+} // namespace vo

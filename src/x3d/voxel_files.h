@@ -1,0 +1,31 @@
+#pragma once
+
+#include "style/voxel_texture.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace vo {
+
+/// What a texture is for: colours and values from 0 to 1; a table of them, which is never repeated; or whole
+/// numbers, which stay as they are.
+enum class TexelUse { values, table, identifiers };
+
+/// A texture, or why there is none.
+struct TextureResult
+{
+    std::shared_ptr<VoxelTexture> texture;
+    std::string reason;
+};
+
+/// Bytes that one texture may have: half of the machine's memory.
+std::uint64_t mostTextureBytes();
+
+/// The voxels of a file of any format that volume_io opens, the first at (0, 0, 0). uint8 and uint16 stay as
+/// they are; int8, int16 and float32 are scaled so that the smallest number of the file becomes 0 and the
+/// largest 1. Identifiers become uint16, whatever they were. An alpha that the file does not have is left
+/// out.
+TextureResult readVoxelFile(const std::string& path, TexelUse use);
+
+} // namespace vo

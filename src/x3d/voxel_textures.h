@@ -1,0 +1,48 @@
+#pragma once
+
+#include "x3d/scene.h"
+#include "x3d/view_messages.h"
+#include "x3d/voxel_files.h"
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace vo {
+
+/// The textures of texture nodes, of two and of three dimensions. Each is made once, for all places that its
+/// node stands in, until a value of the node changes. In a texture of two dimensions T rises from the bottom
+/// row of the picture.
+class VoxelTextures
+{
+public:
+    VoxelTextures(const Scene& scene, ViewMessages& messages) : scene_(scene), messages_(messages) {}
+
+    /// Nothing where there is none (a message says why), or for NULL.
+    std::shared_ptr<const VoxelTexture> of(const Node* node, TexelUse use = TexelUse::values);
+
+    /// The first components of each texel alone.
+    std::shared_ptr<const VoxelTexture> firstComponents(const std::shared_ptr<const VoxelTexture>& texture,
+                                                        int count);
+
+private:
+    using State = std::vector<std::pair<const Node*, std::uint64_t>>;
+    struct Kept
+    {
+        State state;
+        std::shared_ptr<const VoxelTexture> texture;
+    };
+
+    TextureResult make(const Node& node, TexelUse use);
+    TextureResult readUrls(const Node& node, TexelUse use);
+    TextureResult composed(const Node& node, TexelUse use);
+    void applyProperties(const Node& node, VoxelTexture& texture);
+
+    const Scene& scene_;
+    ViewMessages& messages_;
+    std::map<std::pair<const Node*, TexelUse>, Kept> kept_;
+    std::map<std::pair<std::shared_ptr<const VoxelTexture>, int>, std::shared_ptr<const VoxelTexture>> parts_;
+};
+
+} // namespace vo
