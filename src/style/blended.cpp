@@ -45,10 +45,13 @@ private:
     void writeNormal(GlslChain& chain, const std::string& voxels) const;
 
     Blended fields_;
-    glm::vec3 perDifference_{0.0f}; ///< of two values two voxels apart, Df
+    TransferFunction table1_, table2_; ///< of the weights
+    glm::vec3 perDifference_{0.0f};    ///< of two values two voxels apart, Df
 };
 
-BlendedStyle::BlendedStyle(Blended fields) : fields_(std::move(fields))
+BlendedStyle::BlendedStyle(Blended fields)
+    : fields_(std::move(fields)), table1_(fields_.weightTransferFunction1, 2),
+      table2_(fields_.weightTransferFunction2, 2)
 {
     fields_.chain = effectiveChain(fields_.chain);
     if (!fields_.voxels) return;
@@ -106,7 +109,7 @@ void BlendedStyle::setNormals(SampleBatch& other) const
 }
 
 /// w1 is read from its table at (Ov, Ob), w2 at (Ob, Ov): `own` and `others`. Without a table: the constant.
-void weigh(Blended::Weight function, float constant, const VoxelTexture* table, const BatchFloats& own,
+void weigh(Blended::Weight function, float constant, const TransferFunction& table, const BatchFloats& own,
            const BatchFloats& others, const SampleBatch& samples, const SampleBatch& other,
            BatchFloats& weights)
 {
@@ -128,7 +131,7 @@ void weigh(Blended::Weight function, float constant, const VoxelTexture* table, 
     if (!table) return;
     BatchVectors place{own, others, {}};
     std::array<BatchFloats, 4> texels{};
-    sampleFunction(*table, samples.count, place, texels);
+    table.sample(samples.count, place, texels);
     weights = texels[0];
 }
 
@@ -142,10 +145,10 @@ void BlendedStyle::apply(const StyleSurroundings& surroundings, SampleBatch& sam
     for (const auto& style : fields_.chain)
         style->apply(surroundings, other);
     BatchFloats w1, w2;
-    weigh(fields_.weightFunction1, fields_.weightConstant1, fields_.weightTransferFunction1.get(), samples.Ov,
-          other.Ov, samples, other, w1);
-    weigh(fields_.weightFunction2, fields_.weightConstant2, fields_.weightTransferFunction2.get(), other.Ov,
-          samples.Ov, samples, other, w2);
+    weigh(fields_.weightFunction1, fields_.weightConstant1, table1_, samples.Ov, other.Ov, samples, other,
+          w1);
+    weigh(fields_.weightFunction2, fields_.weightConstant2, table2_, other.Ov, samples.Ov, samples, other,
+          w2);
     const auto join = [&](BatchFloats& v, const BatchFloats& b) {
         for (std::size_t i = 0; i < kBatchSize; ++i)
             v[i] = std::clamp(v[i] * w1[i] + b[i] * w2[i], 0.0f, 1.0f);
@@ -174,7 +177,7 @@ void BlendedStyle::writeNormal(GlslChain& chain, const std::string& voxels) cons
 }
 
 std::string weightInGlsl(GlslChain& chain, Blended::Weight function, float constant,
-                         const TexturePointer& table, const char* place)
+                         const TransferFunction& table, const char* place)
 {
     switch (function) {
     case Blended::Weight::alpha0: return "colorBefore.a";
@@ -182,7 +185,7 @@ std::string weightInGlsl(GlslChain& chain, Blended::Weight function, float const
     case Blended::Weight::oneMinusAlpha0: return "1.0 - colorBefore.a";
     case Blended::Weight::oneMinusAlpha1: return "1.0 - color.a";
     case Blended::Weight::table:
-        if (table) return writeFunction(chain, table, place) + ".r";
+        if (table) return table.write(chain, place) + ".r";
         break;
     case Blended::Weight::constant: break;
     }
@@ -200,10 +203,10 @@ void BlendedStyle::write(GlslChain& chain) const
     chain.statement("color = firstColor" + std::to_string(fields_.voxels->components) + "(s.voxel);");
     for (const auto& style : fields_.chain)
         style->write(chain);
-    const std::string w1 = weightInGlsl(chain, fields_.weightFunction1, fields_.weightConstant1,
-                                        fields_.weightTransferFunction1, "vec3(colorBefore.a, color.a, 0.0)");
-    const std::string w2 = weightInGlsl(chain, fields_.weightFunction2, fields_.weightConstant2,
-                                        fields_.weightTransferFunction2, "vec3(color.a, colorBefore.a, 0.0)");
+    const std::string w1 = weightInGlsl(chain, fields_.weightFunction1, fields_.weightConstant1, table1_,
+                                        "vec3(colorBefore.a, color.a, 0.0)");
+    const std::string w2 = weightInGlsl(chain, fields_.weightFunction2, fields_.weightConstant2, table2_,
+                                        "vec3(color.a, colorBefore.a, 0.0)");
     chain.statement("color = blended(colorBefore, color, " + w1 + ", " + w2 + ");");
     chain.statement("s = before; }");
 }

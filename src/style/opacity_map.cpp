@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace vo {
 
@@ -37,7 +36,11 @@ const char* colorOfTexelGlsl(int components)
 class OpacityMapStyle final : public Style
 {
 public:
-    explicit OpacityMapStyle(OpacityMap fields) : fields_(std::move(fields)) {}
+    explicit OpacityMapStyle(const OpacityMap& fields)
+        : function_(fields.transferFunction, fields.voxelComponents), opaqueAtZero_(fields.opaqueAtZero),
+          voxelComponents_(fields.voxelComponents)
+    {
+    }
 
     bool replacesColor() const override { return true; }
     void apply(const StyleSurroundings&, SampleBatch& samples) const override;
@@ -45,22 +48,20 @@ public:
 
 private:
     void applyFunction(SampleBatch& samples) const;
-    float halfTexel(int axis) const
-    {
-        return 0.5f / static_cast<float>(fields_.transferFunction->size[axis]);
-    }
 
-    OpacityMap fields_;
+    TransferFunction function_;
+    bool opaqueAtZero_;
+    int voxelComponents_;
 };
 
 void OpacityMapStyle::apply(const StyleSurroundings&, SampleBatch& samples) const
 {
-    if (fields_.transferFunction) {
+    if (function_) {
         applyFunction(samples);
         return;
     }
-    firstColor(fields_.voxelComponents, samples);
-    if (!fields_.opaqueAtZero) return;
+    firstColor(voxelComponents_, samples);
+    if (!opaqueAtZero_) return;
     for (float& opacity : samples.Ov)
         opacity = 1.0f - opacity;
 }
@@ -68,48 +69,47 @@ void OpacityMapStyle::apply(const StyleSurroundings&, SampleBatch& samples) cons
 void OpacityMapStyle::applyFunction(SampleBatch& samples) const
 {
     BatchVectors place{};
-    for (int axis = 0; axis < std::min(fields_.voxelComponents, 3); ++axis) {
+    for (int axis = 0; axis < std::min(voxelComponents_, 3); ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         for (std::size_t i = 0; i < kBatchSize; ++i)
             place[a][i] = samples.voxel[a][i];
     }
     std::array<BatchFloats, 4> texels{};
-    const int components = fields_.transferFunction->components;
-    sampleFunction(*fields_.transferFunction, samples.count, place, texels);
+    const int components = function_.components();
+    function_.sample(samples.count, place, texels);
     for (std::size_t channel = 0; channel < 3; ++channel)
         samples.Cv[channel] = components < 3 ? texels[0] : texels[channel];
     if (components == 2 || components == 4)
         samples.Ov = texels[static_cast<std::size_t>(components - 1)];
     else
         samples.Ov.fill(1.0f);
-    if (fields_.voxelComponents < 4) return;
+    if (voxelComponents_ < 4) return;
     for (std::size_t i = 0; i < kBatchSize; ++i)
         samples.Ov[i] *= samples.voxel[3][i];
 }
 
 void OpacityMapStyle::write(GlslChain& chain) const
 {
-    if (!fields_.transferFunction) {
-        chain.statement("color = firstColor" + std::to_string(fields_.voxelComponents) + "(s.voxel);");
-        if (!fields_.opaqueAtZero) return;
+    if (!function_) {
+        chain.statement("color = firstColor" + std::to_string(voxelComponents_) + "(s.voxel);");
+        if (!opaqueAtZero_) return;
         chain.function("opaqueAtZero", kWithoutFunctionGlsl);
         chain.step("opaqueAtZero", {});
         return;
     }
-    const int components = fields_.transferFunction->components;
+    const int components = function_.components();
     const std::string colorOf = "texelColor" + std::to_string(components);
     chain.function(colorOf, colorOfTexelGlsl(components));
-    const std::string texel =
-        writeFunction(chain, fields_.transferFunction, placeInGlsl(fields_.voxelComponents));
+    const std::string texel = function_.write(chain, placeInGlsl(voxelComponents_));
     chain.statement("color = " + colorOf + "(" + texel + ");");
-    if (fields_.voxelComponents == 4) chain.statement("color.a *= s.voxel.a;");
+    if (voxelComponents_ == 4) chain.statement("color.a *= s.voxel.a;");
 }
 
 } // namespace
 
 std::shared_ptr<const Style> makeStyle(OpacityMap fields)
 {
-    return std::make_shared<OpacityMapStyle>(std::move(fields));
+    return std::make_shared<OpacityMapStyle>(fields);
 }
 
 } // namespace vo
