@@ -1,10 +1,14 @@
 #include "draw/draw_scene.h"
 
+#include "draw/draw_sky.h"
+#include "draw/draw_surfaces.h"
 #include "draw/draw_volumes.h"
 #include "draw/scene_state.h"
 #include "polygonize/slice_stack.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -44,13 +48,15 @@ struct SceneDrawer::Private
 {
     SceneResources resources;
     StackSlicer slicer;
+    SceneArrays arrays{resources.context};
+    TranslucentSurfaces translucent{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
 
     void draw(const StyledScene& scene);
 
 private:
     std::size_t prepareVolumes(const StyledScene& scene);
-    void drawLayers(std::size_t count);
+    void drawLayers(const std::vector<Step>& steps);
     void checkErrors() const;
 };
 
@@ -66,18 +72,19 @@ std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
     return count;
 }
 
-void SceneDrawer::Private::drawLayers(std::size_t count)
+void SceneDrawer::Private::drawLayers(const std::vector<Step>& steps)
 {
-    const std::vector<Step> steps = stepsOf(volumes, count);
-    std::size_t used = count;
+    std::size_t used = volumes.size();
     for (std::size_t i = 0; i < steps.size();) {
         Step step = steps[i++];
-        while (i < steps.size() && joined(step, steps[i]))
+        if (translucent.drawBehind(step.depth)) used = volumes.size();
+        while (i < steps.size() && !translucent.anyBehind(steps[i].depth) && joined(step, steps[i]))
             ++i;
         if (step.volume != used) volumes[step.volume]->use();
         used = step.volume;
         volumes[used]->draw(step.first, step.count);
     }
+    translucent.drawBehind(-std::numeric_limits<double>::infinity());
 }
 
 void SceneDrawer::Private::checkErrors() const
@@ -92,14 +99,23 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     const ScopedSceneState state(resources.context);
     while (gl.GetError() != GL_NO_ERROR) {
     }
+    const std::vector<Step> steps = stepsOf(volumes, prepareVolumes(scene));
+    std::vector<double> depths;
+    std::ranges::transform(steps, std::back_inserter(depths), &Step::depth);
+    translucent.prepare(scene, depths);
+
     gl.Viewport(0, 0, scene.width, scene.height);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LEQUAL);
-    gl.DepthMask(GL_FALSE);
     gl.Enable(GL_BLEND);
     gl.BlendEquation(GL_FUNC_ADD);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    drawLayers(prepareVolumes(scene));
+    gl.DepthMask(GL_FALSE);
+    if (scene.background.opacity > 0.0f) drawSky(scene, resources, arrays);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    drawOpaqueSurfaces(scene, resources, arrays);
+    gl.DepthMask(GL_FALSE);
+    drawLayers(steps);
     resources.textures.endPicture();
     checkErrors();
 }

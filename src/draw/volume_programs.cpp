@@ -130,6 +130,7 @@ void main()
     vec3 way = stepFrom(position), placeWay = placeFromLocal * way;
     vec3 next = place + placeWay;
     if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
+    if (isClipped(vec4(position, 1.0)) || isClipped(vec4(position + way, 1.0))) discard;
     float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
     fragment = vec4(0.0);
     float nearest = 1.0;

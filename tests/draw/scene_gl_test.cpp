@@ -1,22 +1,29 @@
-// Scenes of volumes with styles through OpenGL: closed forms.
+// Scenes with styles through OpenGL, beside the reference and closed forms.
 
 #include "draw/draw_scene.h"
 #include "offscreen/offscreen.h"
-#include "style/styles.h"
+#include "support/styled_reference.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <map>
+#include <stdexcept>
 
 namespace {
 
 using namespace vo;
+using vo::test::styledReference;
+using vo::test::styleWithReference;
 
 constexpr int kPixels = 64;
+/// Decibels of all four channels, peak 1.
+constexpr double kAlike = 45.0;
 
-TexturePointer bytes(VoxelSize size, int components, const std::function<int(glm::ivec3, int)>& value)
+TexturePointer bytes(VoxelSize size, int components, const std::function<double(glm::dvec3, int)>& value)
 {
     auto texture = std::make_shared<VoxelTexture>();
     texture->size = size;
@@ -24,9 +31,31 @@ TexturePointer bytes(VoxelSize size, int components, const std::function<int(glm
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
-                for (int c = 0; c < components; ++c)
-                    texture->texels.push_back(static_cast<std::byte>(value({x, y, z}, c)));
+                for (int c = 0; c < components; ++c) {
+                    const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(size.x, size.y, size.z);
+                    texture->texels.push_back(static_cast<std::byte>(std::lround(255.0 * value(place, c))));
+                }
     return texture;
+}
+
+TexturePointer constant(double value)
+{
+    return bytes({16, 16, 16}, 1, [=](glm::dvec3, int) { return value; });
+}
+
+double ballAt(const glm::dvec3& place)
+{
+    const double distance = glm::length((place - glm::dvec3(0.45, 0.5, 0.55)) * glm::dvec3(2.2, 2.0, 2.0));
+    return 0.6 * glm::clamp(1.4 - 1.5 * distance, 0.0, 1.0) +
+           0.1 * (1.0 + std::sin(9.0 * place.x + 5.0 * place.y)) / 2.0;
+}
+
+/// A soft ball and a wave.
+TexturePointer ball(int components = 1)
+{
+    return bytes({24, 20, 16}, components, [](glm::dvec3 place, int c) {
+        return glm::clamp(ballAt(place) * (1.0 - 0.25 * c) + 0.1 * c * place.z, 0.0, 1.0);
+    });
 }
 
 /// A volume two wide round the origin, seen along -z from 4 in front of it.
@@ -46,6 +75,42 @@ StyledScene sceneOf(TexturePointer voxels, bool perspective)
     volume.voxels = std::move(voxels);
     scene.volumes.push_back(volume);
     return scene;
+}
+
+StyleLight light(StyleLight::Kind kind)
+{
+    StyleLight made;
+    made.kind = kind;
+    made.color = {1.0f, 0.9f, 0.7f};
+    made.ambientIntensity = 0.3f;
+    made.position = {1.0f, 2.0f, 3.0f};
+    made.direction = glm::normalize(glm::vec3(-1.0f, -2.0f, -3.0f));
+    made.attenuation = {0.7f, 0.1f, 0.05f};
+    made.beamWidth = 0.2f;
+    made.cutOffAngle = 0.5f;
+    return made;
+}
+
+/// The ball, turned, stretched and lit from two sides, with a chain of styles.
+StyledScene turnedScene(const StyleChain& chain, bool perspective = true, int components = 1)
+{
+    StyledScene scene = sceneOf(ball(components), perspective);
+    StyledVolume& volume = scene.volumes[0];
+    volume.worldFromLocal = glm::rotate(glm::dmat4(1.0), 0.6, glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
+    volume.worldFromLocal = glm::scale(volume.worldFromLocal, glm::dvec3(1.0, 0.8, 1.3));
+    volume.spacing = 0.07;
+    volume.chains = {chain};
+    volume.surroundings.lights = {light(StyleLight::Kind::directional), light(StyleLight::Kind::point),
+                                  light(StyleLight::Kind::spot)};
+    return scene;
+}
+
+double psnr(const std::vector<float>& picture, const std::vector<double>& reference)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        sum += std::pow(static_cast<double>(picture[i]) - reference[i], 2.0);
+    return -10.0 * std::log10(sum / static_cast<double>(picture.size()));
 }
 
 class SceneDrawing : public testing::TestWithParam<OffscreenProfile>
@@ -70,6 +135,19 @@ protected:
         drawer_.draw(scene);
         return context_->readFloats();
     }
+    /// Is like the reference, and not empty. `what` is the scene's own name.
+    void compare(const StyledScene& scene, const std::string& what)
+    {
+        static std::map<std::string, std::vector<double>> references;
+        std::vector<double>& reference = references[what];
+        if (reference.empty()) reference = styledReference(scene);
+        const std::vector<float> drawn = picture(scene);
+        EXPECT_GT(psnr(drawn, reference), kAlike) << what;
+        double most = 0.0;
+        for (std::size_t i = 3; i < reference.size(); i += 4)
+            most = std::max(most, reference[i]);
+        EXPECT_GT(most, 0.1) << what << " shows nothing";
+    }
 
     std::unique_ptr<OffscreenContext> context_;
     SceneDrawer drawer_;
@@ -89,8 +167,7 @@ const float* pixelAt(const std::vector<float>& picture, int x, int y)
 TEST_P(SceneDrawing, constantVolumeHasTheOpacityOfItsLength)
 {
     const double value = 51 / 255.0;
-    const StyledScene scene = sceneOf(bytes({16, 16, 16}, 1, [](glm::ivec3, int) { return 51; }), false);
-    const std::vector<float> drawn = picture(scene);
+    const std::vector<float> drawn = picture(sceneOf(constant(value), false));
     // 16 voxels deep; colour and opacity are the value.
     const double alpha = 1.0 - std::pow(1.0 - value, 16.0);
     EXPECT_NEAR(pixelAt(drawn, 32, 32)[3], alpha, 1e-4);
@@ -101,8 +178,7 @@ TEST_P(SceneDrawing, constantVolumeHasTheOpacityOfItsLength)
 TEST_P(SceneDrawing, slantedRaysOfAPerspectiveAreLonger)
 {
     const double value = 10 / 255.0;
-    const StyledScene scene = sceneOf(bytes({16, 16, 16}, 1, [](glm::ivec3, int) { return 10; }), true);
-    const std::vector<float> drawn = picture(scene);
+    const std::vector<float> drawn = picture(sceneOf(constant(value), true));
     const auto expected = [&](double pixel) {
         const double slope = (2.0 * (pixel + 0.5) / kPixels - 1.0) * std::tan(0.25);
         const double middle = std::tan(0.25) / kPixels;
@@ -111,6 +187,179 @@ TEST_P(SceneDrawing, slantedRaysOfAPerspectiveAreLonger)
     };
     EXPECT_NEAR(pixelAt(drawn, 32, 32)[3], expected(32), 1e-4);
     EXPECT_NEAR(pixelAt(drawn, 50, 32)[3], expected(50), 1e-4);
+}
+
+TEST_P(SceneDrawing, voxelsOfAnyNumberOfComponentsAreThoseOfTheReference)
+{
+    for (const int components : {1, 2, 3, 4})
+        for (const bool perspective : {false, true})
+            compare(turnedScene({}, perspective, components),
+                    std::to_string(components) + (perspective ? " components, perspective" : " components"));
+}
+
+// ---- Surfaces and the sky
+
+/// A ball of triangles.
+StyledSurface sphere(const glm::dvec3& middle, double radius)
+{
+    constexpr int kRings = 12, kSectors = 24;
+    StyledSurface surface;
+    surface.worldFromLocal = glm::scale(glm::translate(glm::dmat4(1.0), middle), glm::dvec3(radius));
+    for (int ring = 0; ring <= kRings; ++ring)
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const double latitude = M_PI * ring / kRings, longitude = 2.0 * M_PI * sector / kSectors;
+            surface.positions.emplace_back(std::sin(latitude) * std::cos(longitude), std::cos(latitude),
+                                           -std::sin(latitude) * std::sin(longitude));
+        }
+    surface.normals = surface.positions;
+    for (int ring = 0; ring < kRings; ++ring)
+        for (int sector = 0; sector < kSectors; ++sector) {
+            const int right = (sector + 1) % kSectors, here = ring * kSectors, below = here + kSectors;
+            for (const int corner : {here + sector, below + sector, below + right})
+                surface.triangles.push_back(corner);
+            for (const int corner : {here + sector, below + right, here + right})
+                surface.triangles.push_back(corner);
+        }
+    surface.diffuse = {0.9f, 0.4f, 0.2f};
+    surface.specular = glm::vec3(0.4f);
+    surface.lights = {light(StyleLight::Kind::directional), light(StyleLight::Kind::spot)};
+    return surface;
+}
+
+/// A square three wide, turned by an angle round y.
+StyledSurface pane(const glm::dvec3& middle, double angle, const glm::vec3& color, float transparency)
+{
+    StyledSurface surface;
+    surface.worldFromLocal =
+        glm::rotate(glm::translate(glm::dmat4(1.0), middle), angle, glm::dvec3(0.1, 1.0, 0.05));
+    surface.positions = {{-1.5f, -1.5f, 0.0f}, {1.5f, -1.5f, 0.0f}, {1.5f, 1.5f, 0.0f}, {-1.5f, 1.5f, 0.0f}};
+    surface.normals.assign(4, {0.0f, 0.0f, 1.0f});
+    surface.triangles = {0, 1, 2, 0, 2, 3};
+    surface.lit = surface.solid = false;
+    surface.emissive = color;
+    surface.transparency = transparency;
+    return surface;
+}
+
+TEST_P(SceneDrawing, opaqueSurfacesAreInsideAVolume)
+{
+    StyledScene scene = turnedScene({});
+    scene.surfaces = {sphere({0.2, 0.1, 0.1}, 0.5)};
+    scene.surfaces[0].clipPlanes = {{0.0, 1.0, 0.3, 0.1}};
+    scene.surfaces[0].solid = false;
+    compare(scene, "sphere in a volume");
+    scene.surfaces[0].worldFromLocal =
+        glm::scale(scene.surfaces[0].worldFromLocal, glm::dvec3(-1.0, 1.0, 1.0));
+    scene.surfaces[0].solid = true;
+    compare(scene, "mirrored sphere in a volume");
+}
+
+TEST_P(SceneDrawing, skyIsBehind)
+{
+    StyledScene scene = turnedScene({});
+    scene.clipFromEye = glm::perspective(1.5, 1.0, 0.1, 10.0);
+    scene.eyeFromWorld = glm::rotate(scene.eyeFromWorld, 0.8, glm::dvec3(1.0, 0.3, 0.2));
+    scene.background.opacity = 0.75f;
+    scene.background.skyAngles = {0.8f, 1.2f};
+    scene.background.sky = {{0, 0, 1}, {0.5f, 0.5f, 1}, {1, 0.5f, 0}};
+    scene.background.groundAngles = {0.9f, 1.3f};
+    scene.background.ground = {{0.1f, 0.1f, 0}, {0.3f, 0.4f, 0}, {0, 0.3f, 0.1f}};
+    compare(scene, "sky and ground");
+}
+
+TEST_P(SceneDrawing, translucentSurfacesAreInOrderWithSlices)
+{
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = turnedScene({}, perspective);
+        scene.surfaces = {pane({0, 0, 0}, 1.2, {1, 0, 0}, 0.4f), pane({0, 0, 0.3}, -0.9, {0, 0, 1}, 0.5f),
+                          pane({0.3, 0, -0.3}, 0.02, {0, 1, 0}, 0.3f)};
+        compare(scene, perspective ? "panes, perspective" : "panes");
+        scene.surfaces = {sphere({0.2, 0.1, 0.1}, 0.7), sphere({-0.3, -0.2, 0.1}, 0.6)};
+        for (StyledSurface& surface : scene.surfaces) {
+            surface.transparency = 0.5f;
+            surface.solid = false;
+        }
+        compare(scene, perspective ? "translucent spheres, perspective" : "translucent spheres");
+        scene.volumes.clear();
+        compare(scene, perspective ? "spheres alone, perspective" : "spheres alone");
+    }
+}
+
+TEST_P(SceneDrawing, colorsOfVerticesAreMixed)
+{
+    StyledScene scene = turnedScene({});
+    scene.surfaces = {sphere({0, 0, 0}, 0.8)};
+    for (const glm::vec3& position : scene.surfaces[0].positions)
+        scene.surfaces[0].colors.emplace_back(0.5f + 0.5f * position, 0.6f + 0.4f * position.x);
+    compare(scene, "colours of vertices");
+}
+
+TEST_P(SceneDrawing, volumesThatOverlapAreOneBehindTheOther)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes.push_back(
+        turnedScene({styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr})}).volumes[0]);
+    scene.volumes[1].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0.3, 0.2, 0.1));
+    scene.volumes[1].voxels = ball(4);
+    scene.volumes[1].spacing = 0.113;
+    compare(scene, "two volumes");
+    scene.volumes[1].spacing = scene.volumes[0].spacing;
+    compare(scene, "two volumes of one spacing");
+}
+
+TEST_P(SceneDrawing, clipPlanesCutVolumes)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes[0].clipPlanes = {{1.0, 0.2, 0.1, 0.2}, {-0.3, 1.0, 0.0, 0.4}};
+    compare(scene, "clip planes");
+}
+
+// ---- Styles
+
+/// Every style alone, and some in a row.
+std::map<std::string, StyleChain> chains()
+{
+    std::map<std::string, StyleChain> all;
+    OpacityMap map;
+    map.transferFunction = bytes({32, 1, 1}, 4, [](glm::dvec3 place, int c) {
+        return c == 3 ? 0.4 * place.x : 0.5 + 0.5 * std::sin(6.0 * place.x + c);
+    });
+    const auto opacityMap = styleWithReference(map);
+    const auto edge = styleWithReference(EdgeEnhancement{{1, 0, 0, 1}, 0.6f, nullptr});
+    const auto silhouette = styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr});
+    const auto toned = styleWithReference(ToneMapped{});
+    const auto cartoon = styleWithReference(Cartoon{{0, 0, 0.4f, 1}, {1, 0.8f, 0.2f, 0.8f}, 5, nullptr});
+    Shaded shading;
+    shading.lighting = true;
+    shading.specular = glm::vec3(0.5f);
+    const auto shaded = styleWithReference(shading);
+    shading.hasMaterial = true;
+    shading.surfaceNormals = bytes(
+        {8, 8, 8}, 3, [](glm::dvec3 place, int c) { return 0.5 + 0.5 * glm::normalize(place - 0.48)[c]; });
+    Blended blended;
+    blended.voxels = ball(4);
+    blended.dimensions = glm::vec3(2.0f);
+    blended.chain = {silhouette};
+    blended.weightFunction1 = Blended::Weight::alpha0;
+    return {{"opacity map", {opacityMap}},
+            {"opacity map without a function", {styleWithReference(OpacityMap{})}},
+            {"boundary", {styleWithReference(BoundaryEnhancement{})}},
+            {"cartoon", {cartoon}},
+            {"edge", {edge}},
+            {"silhouette", {silhouette}},
+            {"tone", {toned}},
+            {"shaded", {shaded}},
+            {"given normals", {styleWithReference(shading)}},
+            {"blended", {styleWithReference(blended)}},
+            {"map, silhouette, shaded, edge", {opacityMap, silhouette, shaded, edge}},
+            {"edge, then tone", {edge, toned}}};
+}
+
+TEST_P(SceneDrawing, everyStyleIsThatOfTheReference)
+{
+    for (const auto& [name, chain] : chains())
+        for (const bool perspective : {false, true})
+            compare(turnedScene(chain, perspective), name + (perspective ? ", perspective" : ""));
 }
 
 } // namespace

@@ -1,0 +1,242 @@
+#include "draw/draw_surfaces.h"
+
+#include "draw/scene_view_point.h"
+#include "draw/surface_program.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+
+namespace vo {
+
+namespace {
+
+constexpr int kOpaqueValues = 6;       ///< position, normal
+constexpr int kTranslucentValues = 17; ///< those, colour, plane, depths and margin
+/// Slabs into which the depths of translucent triangles are divided at least: triangles that cross are out of
+/// order within a slab alone.
+constexpr double kLeastSlabs = 512.0;
+
+glm::vec3 normalAt(const StyledSurface& surface, std::size_t vertex)
+{
+    return vertex < surface.normals.size() ? surface.normals[vertex] : glm::vec3(0.0f);
+}
+
+/// As programs compare depths: on the same side of a border here and there.
+double inSinglePrecision(double depth)
+{
+    return static_cast<double>(static_cast<float>(depth));
+}
+
+template <class Vector>
+void append(std::vector<float>& records, const Vector& values)
+{
+    for (int i = 0; i < Vector::length(); ++i)
+        records.push_back(static_cast<float>(values[i]));
+}
+
+/// How much the depth of a plane changes at most from a pixel to the next one, near a point of it in eye
+/// space.
+double depthPerPixel(const glm::dvec3& normal, const glm::dvec3& eye, const StyledScene& scene,
+                     const EyeRays& rays)
+{
+    const glm::dvec3 way = isPerspective(scene.clipFromEye) ? eye / -eye.z : rays.direction[0];
+    const glm::dvec2 pixel(2.0 / scene.width, 2.0 / scene.height);
+    const glm::dvec3 right = (rays.origin[1] - eye.z * rays.direction[1]) * pixel.x;
+    const glm::dvec3 up = (rays.origin[2] - eye.z * rays.direction[2]) * pixel.y;
+    return std::max(std::abs(glm::dot(normal, right)), std::abs(glm::dot(normal, up))) /
+           std::abs(glm::dot(normal, way));
+}
+
+/// How far from a slab a triangle is drawn at least, so that every pixel of the slab is: corners are moved by
+/// parts of a pixel.
+double marginOf(const glm::dvec3& normal, const std::array<glm::dvec3, 3>& eye, const StyledScene& scene,
+                const EyeRays& rays)
+{
+    constexpr double kPartOfPixel = 1.0 / 16.0;
+    const auto [farthest, nearest] = std::minmax({eye[0].z, eye[1].z, eye[2].z});
+    double change = 0.0;
+    for (const glm::dvec3& corner : eye)
+        change = std::max(change, depthPerPixel(normal, corner, scene, rays));
+    const double moved = kPartOfPixel * change;
+    return (moved < nearest - farthest ? moved : nearest - farthest) + 1e-5 * std::abs(farthest);
+}
+
+} // namespace
+
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays)
+{
+    std::vector<float> records;
+    for (const StyledSurface& surface : scene.surfaces) {
+        if (!surface.isOpaque() || surface.triangles.empty()) continue;
+        records.clear();
+        for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
+            append(records, surface.positions[vertex]);
+            append(records, normalAt(surface, vertex));
+        }
+        const std::vector<std::uint32_t> indices(surface.triangles.begin(), surface.triangles.end());
+        useSurfaceProgram(scene, surface, false, resources.programs);
+        arrays.send(records.data(), records.size());
+        arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
+        arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
+        arrays.sendIndices(indices.data(), indices.size());
+        resources.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT,
+                                          nullptr);
+    }
+}
+
+void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t number,
+                                 std::vector<float>& records)
+{
+    const glm::dmat4 eyeFromLocal = scene_->eyeFromWorld * surface.worldFromLocal;
+    const EyeRays rays = eyeRays(scene_->clipFromEye);
+    for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
+        std::array<glm::dvec3, 3> eye;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
+            eye[corner] = glm::dvec3(eyeFromLocal * glm::dvec4(glm::dvec3(surface.positions[vertex]), 1.0));
+        }
+        const auto [farthest, nearest] = std::minmax({eye[0].z, eye[1].z, eye[2].z});
+        glm::dvec3 normal = glm::cross(eye[1] - eye[0], eye[2] - eye[0]);
+        const double size = glm::length(normal);
+        if (!(size > 0.0) || !std::isfinite(size)) continue;
+        normal /= size;
+        const double margin = marginOf(normal, eye, *scene_, rays);
+        triangles_.push_back({number, inSinglePrecision(-nearest), inSinglePrecision(-farthest),
+                              -(eye[0].z + eye[1].z + eye[2].z) / 3.0});
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
+            append(records, surface.positions[vertex]);
+            append(records, normalAt(surface, vertex));
+            append(records, surface.colors.empty() ? glm::vec4(0.0f) : surface.colors[vertex]);
+            append(records, glm::dvec4(normal, -glm::dot(normal, eye[0])));
+            append(records, glm::dvec3(-nearest, -farthest, margin));
+        }
+    }
+}
+
+void TranslucentSurfaces::divide(std::span<const double> depths)
+{
+    constexpr double kEnd = std::numeric_limits<double>::infinity();
+    borders_.assign(depths.begin(), depths.end());
+    std::ranges::transform(borders_, borders_.begin(), inSinglePrecision);
+    double nearest = kEnd, farthest = -kEnd;
+    for (const Triangle& triangle : triangles_) {
+        nearest = std::min(nearest, triangle.nearest);
+        farthest = std::max(farthest, triangle.farthest);
+    }
+    borders_.push_back(nearest);
+    borders_.push_back(farthest);
+    std::ranges::sort(borders_, std::greater<>());
+    const double most = (farthest - nearest) / kLeastSlabs;
+    for (std::size_t i = borders_.size() - 1; i-- > 0 && most > 0.0;) {
+        const double from = std::min(borders_[i], farthest), to = std::max(borders_[i + 1], nearest);
+        for (double depth = from - most; depth > to; depth -= most)
+            borders_.push_back(inSinglePrecision(depth));
+    }
+    borders_.push_back(kEnd);
+    borders_.push_back(-kEnd);
+    std::ranges::sort(borders_, std::greater<>());
+    borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
+}
+
+void TranslucentSurfaces::gatherParts()
+{
+    parts_.clear();
+    for (std::size_t triangle = 0; triangle < triangles_.size(); ++triangle) {
+        const auto& [surface, nearest, farthest, middle] = triangles_[triangle];
+        // The last border that is farther begins the slab.
+        auto slab = static_cast<std::size_t>(std::ranges::lower_bound(borders_, farthest, std::greater<>()) -
+                                             borders_.begin() - 1);
+        for (; slab + 1 < borders_.size() && borders_[slab] > nearest; ++slab)
+            parts_.push_back({slab, triangle});
+    }
+    std::ranges::sort(parts_, [this](const Part& a, const Part& b) {
+        const Triangle &first = triangles_[a.triangle], &second = triangles_[b.triangle];
+        return std::tuple(a.slab, -first.middle, first.surface, a.triangle) <
+               std::tuple(b.slab, -second.middle, second.surface, b.triangle);
+    });
+}
+
+void TranslucentSurfaces::sendParts()
+{
+    std::vector<std::uint32_t> indices;
+    indices.reserve(3 * parts_.size());
+    for (const Part& part : parts_)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            indices.push_back(static_cast<std::uint32_t>(3 * part.triangle + corner));
+    arrays_.sendIndices(indices.data(), indices.size());
+}
+
+void TranslucentSurfaces::gatherTriangles(std::vector<float>& records)
+{
+    triangles_.clear();
+    for (std::size_t number = 0; number < scene_->surfaces.size(); ++number)
+        if (const StyledSurface& surface = scene_->surfaces[number]; !surface.isOpaque())
+            gather(surface, number, records);
+}
+
+void TranslucentSurfaces::prepare(const StyledScene& scene, std::span<const double> depths)
+{
+    scene_ = &scene;
+    next_ = 0;
+    parts_.clear();
+    std::vector<float> records;
+    gatherTriangles(records);
+    if (triangles_.empty()) return;
+    divide(depths);
+    gatherParts();
+    arrays_.send(records.data(), records.size());
+    constexpr std::array<std::array<int, 2>, 5> kLayout{{{3, 0}, {3, 3}, {4, 6}, {4, 10}, {3, 14}}};
+    for (GLuint location = 0; location < kLayout.size(); ++location)
+        arrays_.attribute(location, kLayout[location][0], kLayout[location][1], kTranslucentValues);
+    sendParts();
+}
+
+bool TranslucentSurfaces::anyBehind(double depth) const
+{
+    return next_ < parts_.size() && borders_[parts_[next_].slab + 1] >= inSinglePrecision(depth);
+}
+
+/// All parts of the next slab, run by run of one surface.
+void TranslucentSurfaces::drawSlab()
+{
+    const std::size_t slab = parts_[next_].slab;
+    const double farthest = borders_[slab], nearest = borders_[slab + 1];
+    const auto finite = [](double depth) { return static_cast<float>(std::clamp(depth, -1e30, 1e30)); };
+    while (next_ < parts_.size() && parts_[next_].slab == slab) {
+        const std::size_t first = next_, surface = triangles_[parts_[first].triangle].surface;
+        while (next_ < parts_.size() && parts_[next_].slab == slab &&
+               triangles_[parts_[next_].triangle].surface == surface)
+            ++next_;
+        if (surface != used_)
+            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], true, resources_.programs);
+        used_ = surface;
+        program_->set("slab", glm::vec2(finite(nearest), finite(farthest)));
+        resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (next_ - first)),
+                                           GL_UNSIGNED_INT,
+                                           reinterpret_cast<const void*>(3 * first * sizeof(std::uint32_t)));
+    }
+}
+
+bool TranslucentSurfaces::drawBehind(double depth)
+{
+    if (!anyBehind(depth)) return false;
+    const GladGLContext& gl = resources_.context.gl;
+    arrays_.bind();
+    used_ = scene_->surfaces.size();
+    gl.Enable(GL_CLIP_DISTANCE0);
+    gl.Enable(GL_CLIP_DISTANCE1);
+    while (anyBehind(depth))
+        drawSlab();
+    gl.Disable(GL_CLIP_DISTANCE0);
+    gl.Disable(GL_CLIP_DISTANCE1);
+    return true;
+}
+
+} // namespace vo

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "draw/scene_resources.h"
+#include "draw/surface_program.h"
+#include "style/styled_scene.h"
+
+#include <span>
+#include <vector>
+
+namespace vo {
+
+/// Draws the opaque ones, with the depth test that is set.
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays);
+
+/// The translucent surfaces of a picture, drawn slab by slab between depths. In a slab the triangle whose
+/// middle is farthest comes first.
+class TranslucentSurfaces
+{
+public:
+    explicit TranslucentSurfaces(SceneResources& resources)
+        : resources_(resources), arrays_(resources.context)
+    {
+    }
+
+    /// `depths`: of all that is to be drawn in between. Borrows the scene until it is drawn.
+    void prepare(const StyledScene& scene, std::span<const double> depths);
+    /// Whether anything that is not drawn yet is behind a depth.
+    bool anyBehind(double depth) const;
+    /// Draws all slabs behind a depth that are not drawn yet. True: something was drawn, so that another
+    /// program is in use.
+    bool drawBehind(double depth);
+
+private:
+    struct Triangle
+    {
+        std::size_t surface;
+        double nearest, farthest, middle;
+    };
+    /// A triangle in a slab.
+    struct Part
+    {
+        std::size_t slab, triangle;
+    };
+
+    void gatherTriangles(std::vector<float>& records);
+    void gather(const StyledSurface& surface, std::size_t number, std::vector<float>& records);
+    void divide(std::span<const double> depths);
+    void gatherParts();
+    void sendParts();
+    void drawSlab();
+
+    SceneResources& resources_;
+    SceneArrays arrays_;
+    const StyledScene* scene_ = nullptr;
+    std::vector<Triangle> triangles_;
+    std::vector<double> borders_; ///< slab i lies before border i and behind border i + 1
+    std::vector<Part> parts_;
+    std::size_t next_ = 0; ///< of parts_
+    SceneProgram* program_ = nullptr;
+    std::size_t used_ = 0; ///< the surface whose program is in use
+};
+
+} // namespace vo

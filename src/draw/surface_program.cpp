@@ -1,0 +1,169 @@
+#include "draw/surface_program.h"
+
+#include "draw/scene_view_point.h"
+#include "style/power.h"
+#include "style/shine.h"
+
+#include <glm/matrix.hpp>
+
+#include <vector>
+
+namespace vo {
+
+namespace {
+
+constexpr const char* kVertexShader = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;
+uniform mat4 clipFromLocal, worldFromLocal;
+uniform mat3 worldNormals;
+out vec3 world;
+out vec3 worldNormal;
+out vec4 colorGiven;
+#ifdef SLICED
+layout(location = 3) in vec4 plane;
+layout(location = 4) in vec3 depths;
+uniform vec4 depthRow;
+uniform vec2 slab;
+flat out vec4 eyePlane;
+flat out vec2 eyeDepths;
+out float gl_ClipDistance[2];
+#endif
+
+void main()
+{
+    gl_Position = clipFromLocal * vec4(position, 1.0);
+    world = (worldFromLocal * vec4(position, 1.0)).xyz;
+    worldNormal = worldNormals * normal;
+    colorGiven = color;
+#ifdef SLICED
+    eyePlane = plane;
+    eyeDepths = depths.xy;
+    float depth = dot(depthRow, vec4(position, 1.0));
+    gl_ClipDistance[0] = depth - slab.x + depths.z;
+    gl_ClipDistance[1] = slab.y + depths.z - depth;
+#endif
+}
+)";
+
+// A part of a triangle is cut out with some margin, and depths decide that are the same for the pixel in
+// whatever part: they come from the triangle's plane and the pixel's ray.
+constexpr const char* kFragmentShader = R"(
+in vec3 world;
+in vec3 worldNormal;
+in vec4 colorGiven;
+uniform vec4 viewer;
+uniform bool mirrored, solid, lit;
+uniform vec3 diffuse, emissive, specular;
+uniform float ambientIntensity, exponent, opacity;
+layout(location = 0) out vec4 fragment;
+
+#ifdef SLICED
+flat in vec4 eyePlane;
+flat in vec2 eyeDepths;
+uniform vec2 slab, pictureSize;
+uniform mat3 rayOrigins, rayDirections;
+
+bool isInSlab()
+{
+    vec3 device = vec3(1.0, 2.0 * gl_FragCoord.xy / pictureSize - 1.0);
+    float toPlane = -(dot(eyePlane.xyz, rayOrigins * device) + eyePlane.w);
+    float depth = toPlane / dot(eyePlane.xyz, rayDirections * device);
+    depth = depth >= eyeDepths.x ? min(depth, eyeDepths.y) : eyeDepths.x;
+    return depth >= slab.x && depth < slab.y;
+}
+#endif
+
+vec3 litColor(vec3 CD, vec3 n, vec3 V)
+{
+    vec3 sum = emissive;
+    for (int i = 0; i < lightCount; ++i) {
+        vec3 L = directionTo(lights[i], world);
+        vec3 H = L + V;
+        float size = length(H);
+        float nH = size > 0.0 ? dot(n, H) / size : 0.0;
+        float shine = nH > 0.0 ? raised(nH, exponent) : 0.0;
+        vec3 I = lights[i].intensity * (max(dot(n, L), 0.0) * CD + shine * specular);
+        sum += strengthOf(lights[i], L, world) * lights[i].color *
+               (lights[i].ambientIntensity * ambientIntensity * CD + I);
+    }
+    return min(sum, 1.0);
+}
+
+void main()
+{
+    if (isClipped(vec4(world, 1.0))) discard;
+#ifdef SLICED
+    if (!isInSlab()) discard;
+#endif
+    bool outside = gl_FrontFacing != mirrored;
+    if (solid && !outside) discard;
+    float size = length(worldNormal);
+    vec3 n = size > 0.0 ? worldNormal / (outside ? size : -size) : vec3(0.0);
+    vec3 V = viewer.w > 0.0 ? normalize(viewer.xyz - world) : -normalize(viewer.xyz);
+#ifdef COLORS
+    vec3 CD = colorGiven.rgb;
+    float alpha = clamp(colorGiven.a, 0.0, 1.0);
+    vec3 unlit = CD;
+#else
+    vec3 CD = diffuse;
+    float alpha = opacity;
+    vec3 unlit = emissive;
+#endif
+    fragment = vec4(alpha * (lit ? litColor(CD, n, V) : unlit), alpha);
+}
+)";
+
+void setMaterial(const StyledSurface& surface, SceneProgram& program)
+{
+    program.set("solid", static_cast<int>(surface.solid));
+    program.set("lit", static_cast<int>(surface.lit));
+    program.set("mirrored", static_cast<int>(glm::determinant(glm::dmat3(surface.worldFromLocal)) < 0.0));
+    program.set("diffuse", surface.diffuse);
+    program.set("emissive", surface.emissive);
+    program.set("specular", surface.specular);
+    program.set("ambientIntensity", surface.ambientIntensity);
+    program.set("exponent", 128.0f * surface.shininess);
+    program.set("opacity", 1.0f - surface.transparency);
+    program.set(surface.lights);
+    std::vector<glm::vec4> planes;
+    for (const glm::dvec4& plane : surface.clipPlanes)
+        planes.emplace_back(plane);
+    program.set("clipPlanes", std::span<const glm::vec4>(planes));
+}
+
+void setView(const StyledScene& scene, const StyledSurface& surface, SceneProgram& program)
+{
+    const glm::dmat4& worldFromLocal = surface.worldFromLocal;
+    program.set("clipFromLocal", glm::mat4(scene.clipFromEye * scene.eyeFromWorld * worldFromLocal));
+    program.set("worldFromLocal", glm::mat4(worldFromLocal));
+    program.set("worldNormals", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(worldFromLocal)))));
+    program.set("viewer", glm::vec4(viewerIn(scene, glm::dmat4(1.0))));
+    program.set("depthRow", glm::vec4(depthRowOf(scene, worldFromLocal)));
+    program.set("pictureSize", glm::vec2(scene.width, scene.height));
+    const EyeRays rays = eyeRays(scene.clipFromEye);
+    program.set("rayOrigins", glm::mat3(rays.origin));
+    program.set("rayDirections", glm::mat3(rays.direction));
+}
+
+} // namespace
+
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, bool sliced,
+                                ScenePrograms& programs)
+{
+    std::string definitions = "#version 330 core\n";
+    if (sliced) definitions += "#define SLICED\n";
+    const std::string vertexText = definitions + kVertexShader;
+    if (!surface.colors.empty()) definitions += "#define COLORS\n";
+    SceneProgram& program =
+        programs.find(vertexText, definitions + lightDeclarations(surface.lights.size()) +
+                                      clipPlaneDeclarations(surface.clipPlanes.size()) + kRaisedGlsl +
+                                      kDirectionToGlsl + kStrengthOfGlsl + kFragmentShader);
+    program.use();
+    setMaterial(surface, program);
+    setView(scene, surface, program);
+    return program;
+}
+
+} // namespace vo

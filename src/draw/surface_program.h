@@ -1,0 +1,27 @@
+#pragma once
+
+#include "draw/scene_programs.h"
+#include "style/styled_scene.h"
+
+#include <cstddef>
+
+namespace vo {
+
+/// Where the parts of a vertex record of a surface lie. Plane and depths are those of its triangle: the plane
+/// in eye space, dot(plane, (p, 1)) = 0; the least and the greatest eye depth, and how far beyond a slab
+/// it is drawn before pixels are looked at one by one.
+enum SurfaceAttribute : unsigned {
+    kSurfacePosition = 0,
+    kSurfaceNormal = 1,
+    kSurfaceColor = 2,
+    kSurfacePlane = 3,
+    kSurfaceDepths = 4
+};
+
+/// A surface's program, in use and with all that it knows of the scene. `sliced`: draws the part between two
+/// depths alone, uniform `slab` (nearest, farthest: belongs to what is behind), and twice the same pixel
+/// never.
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, bool sliced,
+                                ScenePrograms& programs);
+
+} // namespace vo
