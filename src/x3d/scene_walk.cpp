@@ -29,7 +29,6 @@ public:
         ++visits_;
         return !isSpent_;
     }
-    bool isSpent() const { return isSpent_; }
 
 private:
     std::size_t visits_ = 0;
@@ -112,12 +111,7 @@ private:
     void visit(const Node& node, const glm::dmat4& worldFromParent)
     {
         if (!boolOf(node, "visible", true)) return;
-        if (!budget_.enter(path_.size()) || found_.nodes.size() >= kMostShown) {
-            messages_.error(node, "expected scenes at most " + std::to_string(kMostDepth) + " deep, with " +
-                                      std::to_string(kMostShown) + " volumes and shapes in " +
-                                      std::to_string(kMostVisits) + " places, found more: cut off");
-            return;
-        }
+        if (!budget_.enter(path_.size()) || found_.nodes.size() >= kMostShown) return tellOfLimits(node);
         path_.push_back(&node);
         if (isOf(&node, "X3DVolumeDataNode") || isOf(&node, "X3DShapeNode"))
             show(node, worldFromParent);
@@ -126,6 +120,15 @@ private:
             visitAll(shownChildren(node, worldFromNode), worldFromNode);
         }
         path_.pop_back();
+    }
+
+    void tellOfLimits(const Node& node)
+    {
+        if (isCutOff_) return;
+        isCutOff_ = true;
+        messages_.error(node, "expected scenes at most " + std::to_string(kMostDepth) + " deep, with " +
+                                  std::to_string(kMostShown) + " volumes and shapes in " +
+                                  std::to_string(kMostVisits) + " places, found more: cut off");
     }
 
     void show(const Node& node, const glm::dmat4& worldFromLocal)
@@ -188,6 +191,7 @@ private:
     std::optional<glm::dvec3> eye_;
     ViewMessages& messages_;
     WalkBudget budget_;
+    bool isCutOff_ = false;
     ShownNodes found_;
     std::vector<const Node*> path_;
     std::vector<StyleLight> lights_, globalLights_;

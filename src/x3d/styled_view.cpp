@@ -5,6 +5,7 @@
 #include "x3d/node_transform.h"
 #include "x3d/node_values.h"
 #include "x3d/scene_walk.h"
+#include "x3d/shape_nodes.h"
 #include "x3d/sky_colors.h"
 #include "x3d/view_messages.h"
 #include "x3d/volume_nodes.h"
@@ -15,6 +16,9 @@
 
 namespace vo {
 namespace {
+
+/// Of all surfaces: 800 MB.
+constexpr std::size_t kMostPoints = 20'000'000;
 
 /// The one that is bound at first: of the scene's own file, not of an Inline.
 PlacedNode firstOf(const std::vector<PlacedNode>& nodes, const char* typeName)
@@ -28,7 +32,9 @@ PlacedNode firstOf(const std::vector<PlacedNode>& nodes, const char* typeName)
 
 struct SceneView::Private
 {
-    explicit Private(Scene& whole) : scene(whole), messages(whole), volumes(whole, messages) {}
+    explicit Private(Scene& whole) : scene(whole), messages(whole), volumes(whole, messages), shapes(messages)
+    {
+    }
 
     PlacedNode viewpointOf(const ViewRequest& request, const std::vector<PlacedNode>& bindables) const;
     ViewBox boxOf(const Node& node);
@@ -41,6 +47,7 @@ struct SceneView::Private
     Scene& scene;
     ViewMessages messages;
     VolumeNodes volumes;
+    ShapeNodes shapes;
     ShownNodes shown;
 };
 
@@ -54,7 +61,7 @@ PlacedNode SceneView::Private::viewpointOf(const ViewRequest& request,
 
 ViewBox SceneView::Private::boxOf(const Node& node)
 {
-    return isOf(&node, "X3DVolumeDataNode") ? volumeBox(node) : ViewBox{};
+    return isOf(&node, "X3DVolumeDataNode") ? volumeBox(node) : shapes.boxOf(node);
 }
 
 ViewBox SceneView::Private::boxOf(const ShownNodes& nodes, const glm::dmat4& matrix)
@@ -89,6 +96,7 @@ void SceneView::Private::addHeadlight(const ViewRequest& request, const Node* vi
 /// The id of a node is its place among those that are shown, from 1.
 void SceneView::Private::addShown(StyledScene& styled)
 {
+    std::size_t points = 0;
     for (std::size_t i = 0; i < shown.nodes.size(); ++i) {
         const ShownNode& each = shown.nodes[i];
         const int id = static_cast<int>(i) + 1;
@@ -97,6 +105,14 @@ void SceneView::Private::addShown(StyledScene& styled)
                 volume->id = id;
                 styled.volumes.push_back(std::move(*volume));
             }
+        } else if (auto surface = shapes.of(each)) {
+            points += surface->positions.size();
+            surface->id = id;
+            if (points <= kMostPoints)
+                styled.surfaces.push_back(std::move(*surface));
+            else
+                messages.error(*each.node, "expected shapes with at most " + std::to_string(kMostPoints) +
+                                               " points in all places, found more: left out");
         }
     }
 }

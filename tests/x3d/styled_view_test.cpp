@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "../util/scratch_folder.h"
 #include "view_scene.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -100,6 +100,329 @@ TEST(StyledView, withoutViewpointAllIsSeen)
             const glm::dvec3 seen = inPicture(s.drawn, moved(volume.worldFromLocal, at));
             EXPECT_LE(std::max({std::abs(seen.x), std::abs(seen.y), std::abs(seen.z)}), 1.0);
         }
+}
+
+TEST(StyledView, orthoViewpointShowsItsRectangleWhole)
+{
+    for (const char* const version : {"3.3", "4.0"}) {
+        ViewedScene s("<OrthoViewpoint fieldOfView='-1 -2 3 2'/>" + kVolume, version);
+        ViewRequest request;
+        request.width = 200;
+        request.height = 100;
+        s.draw(request);
+        expectNear({inPicture(s.drawn, {1, 0, 0}).x, inPicture(s.drawn, {0, 2, 0}).y,
+                    inPicture(s.drawn, {5, 0, -3}).x},
+                   {0, 1, 1});
+    }
+}
+
+TEST(StyledView, viewpointAndCameraOfTheRequestComeFirst)
+{
+    ViewedScene s("<Viewpoint DEF='A' position='1 0 5'/><Viewpoint DEF='B' position='2 0 5'/>"
+                  "<Switch><OrthoViewpoint DEF='C'/></Switch>" +
+                  kVolume);
+    const auto eyeX = [](const StyledScene& scene) { return glm::inverse(scene.eyeFromWorld)[3].x; };
+    EXPECT_NEAR(eyeX(s.drawn), 1.0, 1e-9);
+    ViewRequest request;
+    request.viewpoint = s.scene.names.at("B");
+    EXPECT_NEAR(eyeX(s.draw(request)), 2.0, 1e-9);
+    request.camera = ViewCamera{};
+    request.camera->eyeFromWorld[3] = glm::dvec4(-3, 0, 0, 1);
+    s.draw(request);
+    EXPECT_NEAR(eyeX(s.drawn), 3.0, 1e-9);
+    EXPECT_EQ(s.drawn.clipFromEye, glm::dmat4(1.0));
+    const auto viewpoints = s.view->viewpoints();
+    ASSERT_EQ(viewpoints.size(), 3u);
+    EXPECT_EQ(viewpoints[1], s.scene.names.at("B"));
+    EXPECT_EQ(viewpoints[2], s.scene.names.at("C"));
+}
+
+TEST(StyledView, viewAllMovesTheEyeAndKeepsItsDirection)
+{
+    const ViewedScene s(
+        "<Viewpoint viewAll='true' orientation='0 1 0 1.5707963'/><Transform translation='0 9 0'>" + kVolume +
+        "</Transform>");
+    const glm::dmat4 worldFromEye = glm::inverse(s.drawn.eyeFromWorld);
+    expectNear(glm::dvec3(worldFromEye[2]), {1, 0, 0});
+    EXPECT_NEAR(worldFromEye[3].y, 9.0, 1e-6);
+    EXPECT_LE(std::abs(inPicture(s.drawn, {0.5, 9.5, 0.5}).y), 1.0);
+}
+
+TEST(StyledView, nearAndFarPlanesHoldAllThatIsBeforeTheEye)
+{
+    const ViewedScene s("<Viewpoint position='0 0 3'/><Transform translation='0 0 -1000'>" + kVolume +
+                        "</Transform>" + kVolume);
+    EXPECT_GT(inPicture(s.drawn, {0, 0, 0.5}).z, -1.0);
+    EXPECT_LT(inPicture(s.drawn, {0, 0, -1000.5}).z, 1.0);
+}
+
+TEST(StyledView, headlightShinesFromTheEye)
+{
+    const std::string viewpoint = "<Viewpoint position='5 0 0' orientation='0 1 0 1.5707963'/>";
+    ViewedScene s(viewpoint + "<Transform rotation='0 0 1 1.5707963' scale='3 3 3'>" + kVolume +
+                  "</Transform>");
+    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    ASSERT_EQ(lights.size(), 1u);
+    EXPECT_EQ(lights[0].kind, StyleLight::Kind::directional);
+    expectNear(glm::dvec3(lights[0].direction), {0, 1, 0});
+    ViewRequest request;
+    request.headlight = false;
+    EXPECT_TRUE(s.draw(request).volumes.at(0).surroundings.lights.empty());
+    const ViewedScene none("<NavigationInfo headlight='false'/>" + viewpoint + kVolume);
+    EXPECT_TRUE(none.drawn.volumes.at(0).surroundings.lights.empty());
+}
+
+TEST(StyledView, directionalLightsShineOnTheirGroupAlone)
+{
+    const ViewedScene s("<NavigationInfo headlight='false'/><Group>" + kVolume +
+                        "<Transform rotation='0 1 0 1.5707963'><Group>" + kVolume +
+                        "</Group></Transform><DirectionalLight direction='1 0 0' intensity='0.5'/></Group>" +
+                        kVolume + "<Group>" + kVolume + "<DirectionalLight on='false'/></Group>");
+    ASSERT_EQ(s.drawn.volumes.size(), 4u);
+    const auto lightsOf = [&](std::size_t i) { return s.drawn.volumes[i].surroundings.lights; };
+    ASSERT_EQ(lightsOf(0).size(), 1u);
+    ASSERT_EQ(lightsOf(1).size(), 1u);
+    EXPECT_EQ(lightsOf(0)[0].intensity, 0.5f);
+    expectNear(glm::dvec3(lightsOf(0)[0].direction), {1, 0, 0});
+    expectNear(glm::dvec3(lightsOf(1)[0].direction), {0, 0, 1});
+    EXPECT_TRUE(lightsOf(2).empty());
+    EXPECT_TRUE(lightsOf(3).empty());
+}
+
+TEST(StyledView, pointAndSpotLightsShineEverywhereInLocalSpace)
+{
+    const ViewedScene s("<NavigationInfo headlight='false'/><Transform translation='0 0 8'>"
+                        "<PointLight location='1 0 0' radius='12' attenuation='1 2 3'/>"
+                        "<SpotLight direction='0 0 -2' beamWidth='0.25' cutOffAngle='0.5'/></Transform>"
+                        "<Transform translation='1 0 0' scale='4 4 4'>" +
+                        kVolume + "</Transform>");
+    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_EQ(lights[0].kind, StyleLight::Kind::point);
+    expectNear(glm::dvec3(lights[0].position), {0, 0, 2});
+    EXPECT_NEAR(lights[0].radius, 3.0f, 1e-6);
+    // A length of 1 here is one of 4 in the world.
+    expectNear(glm::dvec3(lights[0].attenuation), {1, 8, 48}, 1e-4);
+    EXPECT_EQ(lights[1].kind, StyleLight::Kind::spot);
+    expectNear(glm::dvec3(lights[1].direction), {0, 0, -1});
+    EXPECT_EQ(lights[1].beamWidth, 0.25f);
+    EXPECT_EQ(lights[1].cutOffAngle, 0.5f);
+}
+
+TEST(StyledView, globalDecidesAboutTheScopeOfLights)
+{
+    const ViewedScene s("<NavigationInfo headlight='false'/><Group><PointLight global='false'/>"
+                        "<DirectionalLight global='true'/></Group>" +
+                        kVolume);
+    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    ASSERT_EQ(lights.size(), 1u);
+    EXPECT_EQ(lights[0].kind, StyleLight::Kind::directional);
+}
+
+TEST(StyledView, lightsBeyondEightAreToldOf)
+{
+    std::string lights;
+    for (int i = 0; i < 9; ++i)
+        lights += "<PointLight/>";
+    const ViewedScene s(lights + "\n" + kVolume + "<Shape><Box/></Shape>");
+    EXPECT_EQ(s.drawn.volumes.at(0).surroundings.lights.size(), 8u);
+    EXPECT_EQ(s.drawn.volumes[0].surroundings.lights[0].kind, StyleLight::Kind::directional);
+    EXPECT_EQ(s.messages(), "s.x3d:3: warning: expected at most 8 lights, found 10: the first shine on it\n"
+                            "s.x3d:3: warning: expected at most 8 lights, found 10: the first shine on it\n");
+}
+
+TEST(StyledView, clipPlanesCutTheirGroupAlone)
+{
+    const ViewedScene s("<Transform translation='2 0 0'><ClipPlane plane='1 0 0 0.5'/>" + kVolume +
+                        "<Transform scale='3 3 3'><Shape><Box/></Shape></Transform>"
+                        "<ClipPlane enabled='false'/></Transform>" +
+                        kVolume);
+    ASSERT_EQ(s.drawn.volumes.size(), 2u);
+    ASSERT_EQ(s.drawn.volumes[0].clipPlanes.size(), 1u);
+    // x' + 1/2 >= 0 with x' = x - 2.
+    const glm::dvec4 plane = s.drawn.volumes[0].clipPlanes[0];
+    expectNear(glm::dvec3(plane), {1, 0, 0});
+    EXPECT_NEAR(plane.w, -1.5, 1e-9);
+    EXPECT_EQ(s.drawn.surfaces.at(0).clipPlanes.size(), 1u);
+    EXPECT_TRUE(s.drawn.volumes[1].clipPlanes.empty());
+}
+
+TEST(StyledView, switchShowsItsChoice)
+{
+    const auto shownBy = [](const std::string& choice) {
+        const ViewedScene s("<Switch whichChoice='" + choice + "'>" + kVolume +
+                            "<Shape><Box/></Shape></Switch>");
+        return std::pair(s.drawn.volumes.size(), s.drawn.surfaces.size());
+    };
+    EXPECT_EQ(shownBy("-1"), std::pair(0ul, 0ul));
+    EXPECT_EQ(shownBy("0"), std::pair(1ul, 0ul));
+    EXPECT_EQ(shownBy("1"), std::pair(0ul, 1ul));
+    EXPECT_EQ(shownBy("2"), std::pair(0ul, 0ul));
+}
+
+TEST(StyledView, levelOfDetailGoesByTheEyesDistanceInLocalSpace)
+{
+    ViewedScene s("<Viewpoint DEF='V'/><Transform scale='2 2 2'><LOD DEF='L' center='0 0 1' range='1 3'>" +
+                  kVolume + "<Shape><Box/></Shape><Group/></LOD></Transform>");
+    const auto levelAt = [&](double z) {
+        ViewRequest request;
+        request.camera = ViewCamera{};
+        request.camera->eyeFromWorld[3] = glm::dvec4(0, 0, -z, 1);
+        s.draw(request);
+        return s.view->shownLevels().at(0).level;
+    };
+    EXPECT_EQ(levelAt(3.9), 0);
+    EXPECT_EQ(s.drawn.volumes.size(), 1u);
+    EXPECT_EQ(levelAt(4.1), 1);
+    EXPECT_EQ(s.drawn.surfaces.size(), 1u);
+    EXPECT_EQ(levelAt(7.9), 1);
+    EXPECT_EQ(levelAt(8.1), 2);
+    EXPECT_EQ(levelAt(0.1), 0);
+    EXPECT_EQ(s.view->shownLevels().at(0).node, s.scene.names.at("L"));
+}
+
+TEST(StyledView, levelsBeyondTheLastChildAreTheLastChild)
+{
+    const ViewedScene s("<Viewpoint position='0 0 100'/><LOD range='1 2 3'>" + kVolume +
+                        "<Shape><Box/></Shape></LOD>");
+    EXPECT_EQ(s.view->shownLevels().at(0).level, 1);
+    EXPECT_EQ(s.drawn.surfaces.size(), 1u);
+    const ViewedScene empty("<Viewpoint position='0 0 100'/><LOD range='1 2 3'/>");
+    EXPECT_TRUE(empty.drawn.volumes.empty());
+}
+
+TEST(StyledView, octTreeShowsHighResWithinItsRange)
+{
+    std::string highRes;
+    for (int i = 0; i < 9; ++i)
+        highRes += "<VolumeData containerField='highRes'>" + kVoxels + "</VolumeData>";
+    ViewedScene s("<Viewpoint position='0 0 10'/><OctTree range='9' center='0 0 1.5'>" + highRes +
+                      "<VolumeData containerField='lowRes'>" + kVoxels + "</VolumeData></OctTree>",
+                  "3.0");
+    EXPECT_EQ(s.view->shownLevels().at(0).level, 0);
+    EXPECT_EQ(s.drawn.volumes.size(), 8u);
+    EXPECT_EQ(s.messages(),
+              "s.x3d:2: warning: expected at most 8 nodes in OctTree.highRes, found 9: the first are "
+              "drawn\n");
+    ViewRequest request;
+    request.camera = ViewCamera{};
+    request.camera->eyeFromWorld[3] = glm::dvec4(0, 0, -11, 1);
+    EXPECT_EQ(s.draw(request).volumes.size(), 1u);
+    EXPECT_EQ(s.view->shownLevels().at(0).level, 1);
+}
+
+TEST(StyledView, whatIsNotVisibleIsNotDrawn)
+{
+    const ViewedScene s("<Group visible='false'>" + kVolume + "</Group><VolumeData visible='false'>" +
+                        kVoxels + "</VolumeData><Shape visible='false'><Box/></Shape>" + kVolume);
+    EXPECT_EQ(s.drawn.volumes.size(), 1u);
+    EXPECT_TRUE(s.drawn.surfaces.empty());
+}
+
+TEST(StyledView, idsLeadToNodesAndTheirPaths)
+{
+    const ViewedScene s("<Group DEF='G'><VolumeData DEF='V'>" + kVoxels +
+                        "</VolumeData></Group><Transform DEF='T'><VolumeData USE='V'/></Transform>"
+                        "<Shape DEF='S'><Box/></Shape>");
+    ASSERT_EQ(s.drawn.volumes.size(), 2u);
+    const auto& names = s.scene.names;
+    EXPECT_EQ(s.view->nodeOf(s.drawn.volumes[1].id), names.at("V"));
+    EXPECT_EQ(s.view->pathOf(s.drawn.volumes[0].id),
+              (std::vector<const Node*>{names.at("G"), names.at("V")}));
+    EXPECT_EQ(s.view->pathOf(s.drawn.volumes[1].id),
+              (std::vector<const Node*>{names.at("T"), names.at("V")}));
+    EXPECT_EQ(s.view->nodeOf(s.drawn.surfaces.at(0).id), names.at("S"));
+    EXPECT_EQ(s.view->nodeOf(0), nullptr);
+    EXPECT_EQ(s.view->nodeOf(99), nullptr);
+    EXPECT_TRUE(s.view->pathOf(99).empty());
+}
+
+TEST(StyledView, oneNodeInSeveralPlacesHasOneTexture)
+{
+    ViewedScene s("<VolumeData DEF='V'><PixelTexture3D DEF='P' image='1 1 1 1 7'/></VolumeData>"
+                  "<Transform><VolumeData USE='V'/></Transform>");
+    ASSERT_EQ(s.drawn.volumes.size(), 2u);
+    const auto texture = s.drawn.volumes[0].voxels;
+    EXPECT_EQ(s.drawn.volumes[1].voxels, texture);
+    EXPECT_EQ(s.draw().volumes[0].voxels, texture);
+    Node& pixels = *s.scene.names.at("P");
+    pixels.put(pixels.field("image")->slot, std::vector<std::int32_t>{1, 1, 1, 1, 8});
+    EXPECT_EQ(s.draw().volumes[0].voxels->texels.at(0), std::byte{8});
+}
+
+TEST(StyledView, inlinesAreDrawnAndTheirBindablesAreNotBound)
+{
+    const ScratchFolder folder;
+    std::ofstream(folder / "part.x3d")
+        << "<X3D version='4.0'><Scene><Viewpoint position='0 0 77'/>" << kVolume << "</Scene></X3D>";
+    const ViewedScene s("<Transform translation='5 0 0'><Inline url='\"part.x3d\"'/></Transform>"
+                        "<Viewpoint position='0 0 3'/><Inline load='false' url='\"part.x3d\"'/>",
+                        "4.0", folder / "");
+    ASSERT_EQ(s.drawn.volumes.size(), 1u);
+    EXPECT_EQ(s.drawn.volumes[0].worldFromLocal[3].x, 5.0);
+    EXPECT_NEAR(glm::inverse(s.drawn.eyeFromWorld)[3].z, 3.0, 1e-9);
+    EXPECT_EQ(s.view->viewpoints().size(), 2u);
+    EXPECT_EQ(s.view->pathOf(1).size(), 3u);
+}
+
+TEST(StyledView, backgroundGivesTheSky)
+{
+    const ViewedScene s("<Transform rotation='0 0 1 1.5707963' scale='2 3 4'><Background skyAngle='1 2' "
+                        "skyColor='1 0 0 0 1 0 0 0 1' groundAngle='0.5' groundColor='0 0 0 1 1 1' "
+                        "transparency='0.25'/></Transform><Background/>");
+    const SkyColors& sky = s.drawn.background;
+    EXPECT_EQ(sky.skyAngles, (std::vector<float>{1, 2}));
+    ASSERT_EQ(sky.sky.size(), 3u);
+    EXPECT_EQ(sky.sky[2], glm::vec3(0, 0, 1));
+    EXPECT_EQ(sky.groundAngles, std::vector<float>{0.5f});
+    EXPECT_EQ(sky.ground.size(), 2u);
+    EXPECT_EQ(sky.opacity, 0.75f);
+    expectNear(sky.worldFromBackground * glm::dvec3(1, 0, 0), {0, 1, 0});
+    EXPECT_EQ(s.messages(), "");
+}
+
+TEST(StyledView, backgroundsOfWrongLengthsAreRepaired)
+{
+    const ViewedScene s("<Background skyAngle='1 0.5' skyColor='1 0 0 0 1 0 0 0 1' frontUrl='\"a.png\"'/>");
+    EXPECT_EQ(s.drawn.background.skyAngles.size(), 1u);
+    EXPECT_EQ(s.drawn.background.sky.size(), 2u);
+    EXPECT_EQ(s.messages(),
+              "s.x3d:2: warning: expected rising angles in Background.skyAngle, one fewer than colours, "
+              "found 2 for 3: what fits is drawn\n"
+              "s.x3d:2: warning: Background.frontUrl: pictures of the sky are not drawn\n");
+}
+
+TEST(StyledView, collapsedTransformsAreToldOfOnce)
+{
+    ViewedScene s("<Transform scale='1 0 1'>\n" + kVolume + "<ClipPlane/><DirectionalLight/></Transform>");
+    s.draw();
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_EQ(s.messages(), "s.x3d:3: warning: VolumeData stands in a Transform without extent: not drawn\n");
+}
+
+TEST(StyledView, nodesInTooManyPlacesAreCutOff)
+{
+    std::string nodes = "<Group DEF='G0'><Shape><Box/></Shape></Group>";
+    for (int level = 1; level <= 24; ++level) {
+        const std::string before = "<Group USE='G" + std::to_string(level - 1) + "'/>";
+        nodes += "<Group DEF='G" + std::to_string(level) + "'>" + before + before + "</Group>";
+    }
+    const ViewedScene s(nodes);
+    EXPECT_LE(s.drawn.surfaces.size(), 100'000u);
+    EXPECT_NE(s.messages().find("cut off"), std::string::npos);
+}
+
+TEST(StyledView, nodesBelowThemselvesEnd)
+{
+    ViewedScene s("<Group DEF='G'>" + kVolume + "</Group>");
+    Node& group = *s.scene.names.at("G");
+    const auto slot = group.field("children")->slot;
+    auto children = std::get<std::vector<Node*>>(group.value(slot));
+    children.push_back(&group);
+    group.put(slot, children);
+    s.draw();
+    EXPECT_LE(s.drawn.volumes.size(), 2001u);
+    EXPECT_NE(s.messages().find("cut off"), std::string::npos);
 }
 
 } // namespace
