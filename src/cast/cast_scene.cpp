@@ -42,50 +42,11 @@ struct Pixel
 /// A volume's walk through the ray at hand.
 struct Stream
 {
+    const CastVolume* volume;
     StyledRay ray;
     FragmentRun run;
+    TetraTile tetras;
 };
-
-bool isPositive(double number)
-{
-    return number > 0.0 && std::isfinite(number);
-}
-
-bool isDrawn(const StyledVolume& volume)
-{
-    if (!volume.voxels || !isUsable(*volume.voxels) || !isInvertible(volume.worldFromLocal)) return false;
-    for (int axis = 0; axis < 3; ++axis)
-        if (!isPositive(static_cast<double>(volume.dimensions[axis]))) return false;
-    return isPositive(volume.unitLength) && isPositive(volume.spacing) && !volume.chains.empty();
-}
-
-ChainPlan planOf(const StyleChain& whole)
-{
-    ChainPlan plan;
-    plan.chain = effectiveChain(whole);
-    const StyleChain& chain = plan.chain;
-    plan.beginsWithVoxel = chain.empty() || !chain.front()->replacesColor();
-    while (plan.withoutNormals < chain.size() && !chain[plan.withoutNormals]->needsNormal())
-        ++plan.withoutNormals;
-    plan.keepsClear =
-        std::all_of(chain.begin(), chain.end(), [](const auto& style) { return style->keepsClear(); });
-    return plan;
-}
-
-CastVolume castVolumeOf(const StyledVolume& styled, const SceneRays& rays)
-{
-    CastVolume volume;
-    volume.styled = &styled;
-    volume.localFromEye = glm::inverse(styled.worldFromLocal) * rays.worldFromEye();
-    for (const glm::dvec4& plane : styled.clipPlanes)
-        volume.eyePlanes.push_back(plane * rays.worldFromEye());
-    for (const StyleChain& chain : styled.chains)
-        volume.plans.push_back(planOf(chain));
-    const VoxelSize& size = styled.voxels->size;
-    const glm::vec3 edges = styled.dimensions / glm::vec3(size.x, size.y, size.z);
-    volume.changeScale = std::min({edges.x, edges.y, edges.z}) / edges;
-    return volume;
-}
 
 /// Colours of the pixels of one tile.
 class TileCaster
@@ -97,12 +58,14 @@ public:
     {
         streams_.reserve(volumes.size());
         for (const CastVolume& volume : volumes)
-            streams_.push_back({StyledRay(volume), {}});
+            streams_.push_back({&volume, StyledRay(volume), {}, {}});
     }
 
     void cast(const PictureTile& tile, ScenePicture& picture)
     {
         surfaces_.draw(tile, surfaceTile_);
+        for (Stream& stream : streams_)
+            if (stream.volume->tetras) stream.volume->tetras->spansOf(tile, rays_, stream.tetras);
         std::size_t index = 0;
         for (int y = tile.y; y < tile.y + tile.height; ++y)
             for (int x = tile.x; x < tile.x + tile.width; ++x)
@@ -115,11 +78,14 @@ private:
         const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
         const SurfaceFragment& opaque = surfaceTile_.opaque(index);
         fragments_ = surfaceTile_.translucent(index);
-        DepthRange depths = rays_.depths();
-        depths.end = std::min(depths.end, firstOpaque(opaque.depth));
+        const double end = firstOpaque(opaque.depth);
         active_.clear();
-        for (Stream& stream : streams_)
-            if (stream.ray.begin(ray, depths) && stream.ray.next(stream.run)) active_.push_back(&stream);
+        for (Stream& stream : streams_) {
+            std::span<const TetraSpan> spans;
+            if (stream.volume->tetras) spans = stream.tetras.of(index);
+            if (stream.ray.begin(ray, rays_.depths(), end, spans) && stream.ray.next(stream.run))
+                active_.push_back(&stream);
+        }
         Pixel pixel;
         while (!pixel.done() && addNearest(pixel)) {
         }
@@ -238,8 +204,9 @@ struct SceneCaster::Private
         std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> used;
         std::vector<CastVolume> volumes;
         for (const StyledVolume& styled : scene.volumes) {
-            if (!isDrawn(styled)) continue;
-            volumes.push_back(castVolumeOf(styled, rays));
+            if (!isCast(styled)) continue;
+            volumes.emplace_back(styled, rays);
+            if (volumes.back().tetras) volumes.back().tetras->sortIntoTiles(scene, kTileEdge);
             const std::uint64_t serial = styled.voxels->serial;
             auto& kept = used[serial];
             if (!kept && voxels.contains(serial)) kept = voxels[serial];

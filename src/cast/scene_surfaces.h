@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/picture_tile.h"
 #include "cast/scene_rays.h"
 #include "style/styled_scene.h"
 
@@ -13,12 +14,6 @@
 #include <vector>
 
 namespace vo {
-
-/// Part of a picture, pixels.
-struct PictureTile
-{
-    int x = 0, y = 0, width = 0, height = 0;
-};
 
 /// A surface in one pixel: its colour, multiplied by opacity.
 struct SurfaceFragment

@@ -1,6 +1,6 @@
 #include "cast/styled_rays.h"
 
-#include <glm/geometric.hpp>
+#include "cast/ray_projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,28 +9,9 @@ namespace vo {
 
 namespace {
 
-constexpr int kChunk = 16;
-/// A ray that asks for more samples than this is left out: such spacings are mistakes.
-constexpr double kMostPlanes = 1 << 24;
-
-/// The part of a ray with all three numbers from 0 to 1.
-void cutToUnitCube(const DepthRay& place, DepthRange& depths)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        depths.cut(place.origin[axis], place.direction[axis]);
-        depths.cut(1.0 - place.origin[axis], -place.direction[axis]);
-    }
-}
-
-float finiteOrZero(float number)
-{
-    return std::isfinite(number) ? number : 0.0f;
-}
-
 /// What firstColor takes for the opacity.
-float firstOpacity(int components, const SampleBatch& samples, std::size_t i)
+float firstOpacity(int components, const std::array<BatchFloats, 4>& voxel, std::size_t i)
 {
-    const auto& voxel = samples.voxel;
     switch (components) {
     case 1: return voxel[0][i];
     case 2: return voxel[1][i];
@@ -39,158 +20,170 @@ float firstOpacity(int components, const SampleBatch& samples, std::size_t i)
     }
 }
 
+glm::vec3 colorOf(const SampleBatch& batch, std::size_t i)
+{
+    return {batch.Cv[0][i], batch.Cv[1][i], batch.Cv[2][i]};
+}
+
 } // namespace
 
-StyledRay::StyledRay(const CastVolume& volume) : volume_(volume) {}
-
-bool StyledRay::begin(const DepthRay& ray, DepthRange depths)
+StyledRay::StyledRay(const CastVolume& volume) : volume_(volume), path_(volume), shader_(volume)
 {
-    const StyledVolume& styled = *volume_.styled;
-    for (const glm::dvec4& plane : volume_.eyePlanes)
-        depths.cut(glm::dot(glm::dvec3(plane), ray.origin) + plane.w,
-                   glm::dot(glm::dvec3(plane), ray.direction));
-    local_ = transformed(volume_.localFromEye, ray);
-    const glm::dvec3 size(styled.dimensions);
-    place_ = {local_.origin / size + 0.5, local_.direction / size};
-    cutToUnitCube(place_, depths);
-    if (depths.empty()) return false;
-    const double first = std::ceil(depths.begin / styled.spacing - 0.5);
-    const double last = std::floor(depths.end / styled.spacing - 0.5);
-    if (!(first <= last) || last - first > kMostPlanes || std::abs(first) > 1e15) return false;
-    plane_ = static_cast<std::int64_t>(first);
-    lastPlane_ = static_cast<std::int64_t>(last);
-    stepLength_ = glm::length(local_.direction) * styled.spacing / styled.unitLength;
-    wanted_ = kChunk;
+    const auto drops = [](const ChainPlan& plan) { return plan.keepsClear && plan.beginsWithVoxel; };
+    dropsFirstClear_ =
+        !volume.styled->projection && std::all_of(volume.plans.begin(), volume.plans.end(), drops);
+}
+
+bool StyledRay::begin(const DepthRay& ray, DepthRange depths, double opaque, std::span<const TetraSpan> spans)
+{
+    // A surface may lie before what is opaque and the sample after it behind.
+    if (!volume_.styled->surfaces) depths.end = std::min(depths.end, opaque);
+    opaque_ = opaque;
+    crossings_.clear();
+    crossing_ = 0;
+    before_.reset();
+    wanted_ = kChunkSize;
+    if (!path_.begin(ray, depths, spans)) return false;
+    units_ = static_cast<float>(path_.unitsOfSample());
     return true;
 }
 
 bool StyledRay::next(FragmentRun& run)
 {
     run.count = run.next = 0;
+    if (volume_.styled->projection && !volume_.styled->surfaces) return project(run);
     while (run.count == 0) {
-        gather();
-        if (batch_.count == 0) return false;
-        shade();
+        const bool surfaces = volume_.styled->surfaces.has_value();
+        if (surfaces ? !collectCrossings() : !collectSamples()) return false;
+        if (surfaces)
+            shader_.shadeSurfaces(path_.local(), samples_);
+        else
+            shader_.shade(path_.local(), samples_);
         emit(run);
-        wanted_ = std::min(2 * wanted_, kBatchSize);
     }
     return true;
 }
 
-void StyledRay::gather()
+/// Fills samples_; false if there are no more.
+bool StyledRay::collectSamples()
 {
-    batch_.count = 0;
-    while (batch_.count + kChunk <= wanted_ && plane_ <= lastPlane_) {
-        const int count = static_cast<int>(std::min<std::int64_t>(kChunk, lastPlane_ - plane_ + 1));
-        takeChunk(count);
-        plane_ += count;
-    }
+    samples_.batch.count = 0;
+    while (samples_.batch.count + kChunkSize <= wanted_ && path_.next(chunk_))
+        for (std::size_t i = 0; i < static_cast<std::size_t>(chunk_.count); ++i)
+            if (!dropsFirstClear_ || firstOpacity(volume_.styled->voxels->components, chunk_.voxel, i) > 0.0f)
+                take(chunk_, i);
+    // Rays that end soon shade little, those that do not shade many samples at a time.
+    wanted_ = std::min(2 * wanted_, kBatchSize);
+    return samples_.batch.count > 0;
 }
 
-void StyledRay::takeChunk(int count)
+void StyledRay::take(const SampleChunk& chunk, std::size_t i)
 {
-    const VoxelTexture& texture = *volume_.styled->voxels;
-    const double spacing = volume_.styled->spacing;
-    const glm::dvec3 start = place_.at(sampleDepth(spacing, static_cast<double>(plane_)));
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto from = static_cast<float>(start[axis]);
-        const auto step = static_cast<float>(place_.direction[axis] * spacing);
-        for (std::size_t i = 0; i < kChunk; ++i)
-            chunk_.place[static_cast<std::size_t>(axis)][i] = from + static_cast<float>(i) * step;
-    }
-    if (texture.components == 1)
-        volume_.voxels->values(count, chunk_.place, chunk_.voxel[0]);
-    else
-        sampleTexture(texture, count, chunk_.place, chunk_.voxel);
-    const bool dropsClear = volume_.plans[0].keepsClear && volume_.plans[0].beginsWithVoxel;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-        if (dropsClear && firstOpacity(texture.components, chunk_, i) <= 0.0f) continue;
-        const auto to = static_cast<std::size_t>(batch_.count++);
-        for (std::size_t c = 0; c < static_cast<std::size_t>(texture.components); ++c)
-            batch_.voxel[c][to] = finiteOrZero(chunk_.voxel[c][i]);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            batch_.place[axis][to] = chunk_.place[axis][i];
-        depth_[to] = sampleDepth(spacing, static_cast<double>(plane_ + static_cast<std::int64_t>(i)));
-    }
-}
-
-void StyledRay::shade()
-{
-    const ChainPlan& plan = volume_.plans[0];
-    const StyleChain& chain = plan.chain;
-    firstColor(volume_.styled->voxels->components, batch_);
-    placeSamples();
-    applyStyles(chain, 0, plan.withoutNormals);
-    if (plan.withoutNormals == chain.size()) return;
-    if (plan.keepsClear) dropClear();
-    findNormals();
-    applyStyles(chain, plan.withoutNormals, chain.size());
-}
-
-void StyledRay::applyStyles(const StyleChain& chain, std::size_t from, std::size_t to)
-{
-    for (std::size_t i = from; i < to && batch_.count > 0; ++i)
-        chain[i]->apply(volume_.styled->surroundings, batch_);
-}
-
-/// Position and V of all samples. The ray leads through the eye, in local space too.
-void StyledRay::placeSamples()
-{
-    const glm::vec3 view(glm::normalize(-local_.direction));
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        batch_.V[a].fill(view[axis]);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i)
-            batch_.position[a][i] =
-                static_cast<float>(local_.origin[axis] + local_.direction[axis] * depth_[i]);
-    }
-}
-
-void StyledRay::dropClear()
-{
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i) {
-        if (!(batch_.Ov[i] > 0.0f)) continue;
-        for (BatchFloats& component : batch_.voxel)
-            component[to] = component[i];
-        for (BatchVectors* vectors : {&batch_.place, &batch_.position, &batch_.Cv})
-            for (BatchFloats& component : *vectors)
-                component[to] = component[i];
-        batch_.Ov[to] = batch_.Ov[i];
-        depth_[to] = depth_[i];
-        ++to;
-    }
-    batch_.count = static_cast<int>(to);
-}
-
-void StyledRay::findNormals()
-{
-    constexpr float kLeastGradient = 1e-6f;
-    volume_.voxels->changes(batch_.count, batch_.place, batch_.n);
-    auto& [x, y, z] = batch_.n;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i) {
-        const glm::vec3 change = glm::vec3(x[i], y[i], z[i]) * volume_.changeScale;
-        const float length = glm::length(change);
-        const float scale = length >= kLeastGradient ? -1.0f / length : 0.0f;
-        batch_.gradient[i] = length;
-        x[i] = change.x * scale;
-        y[i] = change.y * scale;
-        z[i] = change.z * scale;
-    }
+    const int chain = volume_.chainAt({chunk.place[0][i], chunk.place[1][i], chunk.place[2][i]});
+    if (chain < 0) return;
+    const auto to = static_cast<std::size_t>(samples_.batch.count++);
+    for (std::size_t c = 0; c < 4; ++c)
+        samples_.batch.voxel[c][to] = chunk.voxel[c][i];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        samples_.batch.place[axis][to] = chunk.place[axis][i];
+    samples_.depth[to] = path_.depthOf(chunk.plane + static_cast<std::int64_t>(i));
+    samples_.tetra[to] = path_.piece(chunk.piece).tetra;
+    samples_.chain[to] = chain;
 }
 
 void StyledRay::emit(FragmentRun& run) const
 {
-    const auto units = static_cast<float>(stepLength_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(batch_.count); ++i) {
-        const float opacity = std::min(batch_.Ov[i], 1.0f);
+    const SampleBatch& batch = samples_.batch;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+        const float opacity = std::min(batch.Ov[i], 1.0f);
         if (!(opacity > 0.0f)) continue;
-        const float alpha = opacity < 1.0f ? -std::expm1(units * std::log1p(-opacity)) : 1.0f;
-        const auto to = static_cast<std::size_t>(run.count++);
-        run.depth[to] = depth_[i];
-        run.color[to] =
-            glm::vec4(batch_.Cv[0][i] * alpha, batch_.Cv[1][i] * alpha, batch_.Cv[2][i] * alpha, alpha);
+        const bool ofLength = opacity < 1.0f && !volume_.styled->surfaces;
+        const float alpha = ofLength ? -std::expm1(units_ * std::log1p(-opacity)) : opacity;
+        run.add(samples_.depth[i], colorOf(batch, i), alpha);
     }
+}
+
+bool StyledRay::project(FragmentRun& run)
+{
+    JoinedSamples joined(*volume_.styled->projection);
+    const int components = volume_.styled->voxels->components;
+    while (!joined.decided() && collectSamples()) {
+        shader_.shade(path_.local(), samples_);
+        const SampleBatch& batch = samples_.batch;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
+            float opacity = batch.Ov[i];
+            if (volume_.plans[static_cast<std::size_t>(samples_.chain[i])].chain.empty())
+                opacity =
+                    components % 2 == 0 ? batch.voxel[static_cast<std::size_t>(components - 1)][i] : 1.0f;
+            joined.add(samples_.depth[i], (batch.Cv[0][i] + batch.Cv[1][i] + batch.Cv[2][i]) / 3.0f, opacity);
+        }
+    }
+    if (joined.empty()) return false;
+    run.add(joined.depth(), glm::vec3(joined.intensity()), std::clamp(joined.opacity(), 0.0f, 1.0f));
+    return true;
+}
+
+/// Fills samples_ with the places of surfaces; false if there are no more.
+bool StyledRay::collectCrossings()
+{
+    do {
+        if (crossing_ == crossings_.size()) {
+            crossings_.clear();
+            crossing_ = 0;
+            while (crossings_.empty()) {
+                if (!path_.next(chunk_)) return false;
+                findCrossings(chunk_);
+            }
+        }
+    } while (!placeCrossings());
+    return true;
+}
+
+void StyledRay::findCrossings(const SampleChunk& chunk)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
+        const Before sample{chunk.plane + static_cast<std::int64_t>(i), chunk.voxel[0][i]};
+        if (before_ && before_->plane + 1 == sample.plane) cross(*before_, sample);
+        before_ = sample;
+    }
+}
+
+void StyledRay::cross(const Before& before, const Before& after)
+{
+    const std::vector<float>& values = volume_.styled->surfaces->values;
+    const double spacing = volume_.styled->spacing;
+    const std::size_t first = crossings_.size();
+    for (std::size_t surface = 0; surface < values.size(); ++surface) {
+        const float value = values[surface];
+        if ((before.value < value) == (after.value < value)) continue;
+        const double part = (static_cast<double>(value) - static_cast<double>(before.value)) /
+                            (static_cast<double>(after.value) - static_cast<double>(before.value));
+        crossings_.push_back({path_.depthOf(before.plane) + part * spacing, surface});
+    }
+    std::stable_sort(crossings_.begin() + static_cast<std::ptrdiff_t>(first), crossings_.end(),
+                     [](const Crossing& a, const Crossing& b) { return a.depth < b.depth; });
+}
+
+bool StyledRay::placeCrossings()
+{
+    const auto last = static_cast<int>(volume_.plans.size()) - 1;
+    SampleBatch& batch = samples_.batch;
+    batch.count = 0;
+    for (; crossing_ < crossings_.size() && batch.count < kBatchSize; ++crossing_) {
+        const Crossing& crossing = crossings_[crossing_];
+        const RayPath::Piece* const piece = path_.pieceAt(crossing.depth);
+        if (!piece || crossing.depth > opaque_) continue;
+        const auto to = static_cast<std::size_t>(batch.count++);
+        const glm::vec3 place(piece->place.at(crossing.depth));
+        for (int axis = 0; axis < 3; ++axis)
+            batch.place[static_cast<std::size_t>(axis)][to] = place[axis];
+        samples_.depth[to] = crossing.depth;
+        samples_.tetra[to] = piece->tetra;
+        samples_.chain[to] =
+            std::min(static_cast<int>(std::min<std::size_t>(crossing.surface, 1 << 30)), last);
+    }
+    volume_.read(batch.count, batch.place, batch.voxel);
+    return batch.count > 0;
 }
 
 } // namespace vo

@@ -1,14 +1,11 @@
 #pragma once
 
-#include "cast/padded_voxels.h"
-#include "cast/scene_rays.h"
-#include "style/styled_scene.h"
+#include "cast/ray_samples.h"
 
 #include <glm/vec4.hpp>
 
 #include <array>
-#include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace vo {
@@ -21,28 +18,12 @@ struct FragmentRun
     std::array<glm::vec4, kBatchSize> color;
 
     bool atEnd() const { return next >= count; }
-};
-
-/// A chain of styles, and how far it goes without normals.
-struct ChainPlan
-{
-    StyleChain chain; ///< effectiveChain()
-    /// Styles at the front that read no normal: the opacity they leave decides which samples go on.
-    std::size_t withoutNormals = 0;
-    bool keepsClear = true;
-    /// What firstColor() makes of a voxel is what the chain begins with.
-    bool beginsWithVoxel = true;
-};
-
-/// All that rays need of a volume; not changed while they walk.
-struct CastVolume
-{
-    const StyledVolume* styled = nullptr;
-    std::shared_ptr<const PaddedVoxels> voxels;
-    glm::dmat4 localFromEye{1.0};
-    std::vector<glm::dvec4> eyePlanes; ///< kept where dot(plane, p) >= 0
-    std::vector<ChainPlan> plans;      ///< of the volume's chains
-    glm::vec3 changeScale{1.0f};       ///< from changes over a voxel to those over a shortest edge, local
+    void add(double at, const glm::vec3& rgb, float alpha)
+    {
+        const auto i = static_cast<std::size_t>(count++);
+        depth[i] = at;
+        color[i] = glm::vec4(rgb * alpha, alpha);
+    }
 };
 
 /// Walks one ray after the other through a volume; each thread has its own.
@@ -51,28 +32,47 @@ class StyledRay
 public:
     explicit StyledRay(const CastVolume& volume);
 
-    /// Starts a ray of eye space; false if it meets nothing within `depths`.
-    bool begin(const DepthRay& ray, DepthRange depths);
+    /// Starts a ray of eye space that reaches to `opaque`, or the end of `depths`; false if it meets nothing.
+    bool begin(const DepthRay& ray, DepthRange depths, double opaque, std::span<const TetraSpan> spans);
     /// The next fragments of the ray; false if there are no more.
     bool next(FragmentRun& run);
 
 private:
-    void gather();
-    void takeChunk(int count);
-    void shade();
-    void dropClear();
-    void placeSamples();
-    void findNormals();
-    void applyStyles(const StyleChain& chain, std::size_t from, std::size_t to);
+    /// Where the voxels cross the value of a surface.
+    struct Crossing
+    {
+        double depth;
+        std::size_t surface;
+    };
+    struct Before
+    {
+        std::int64_t plane;
+        float value;
+    };
+
+    bool collectSamples();
+    void take(const SampleChunk& chunk, std::size_t i);
     void emit(FragmentRun& run) const;
 
+    bool collectCrossings();
+    void findCrossings(const SampleChunk& chunk);
+    void cross(const Before& before, const Before& after);
+    bool placeCrossings();
+
+    bool project(FragmentRun& run);
+
     const CastVolume& volume_;
-    DepthRay local_, place_;
-    double stepLength_ = 0.0; ///< in unit lengths
-    std::int64_t plane_ = 0, lastPlane_ = -1;
-    int wanted_ = 0; ///< samples in the next batch
-    SampleBatch batch_{}, chunk_{};
-    std::array<double, kBatchSize> depth_{};
+    RayPath path_;
+    SampleShader shader_;
+    SampleChunk chunk_;
+    RaySamples samples_;
+    int wanted_ = 0; ///< samples of the next batch
+    bool dropsFirstClear_ = false;
+    float units_ = 1.0f;
+    double opaque_ = 0.0;
+    std::optional<Before> before_;
+    std::vector<Crossing> crossings_;
+    std::size_t crossing_ = 0; ///< the next one to be shaded
 };
 
 } // namespace vo

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "cast/padded_voxels.h"
+#include "cast/scene_rays.h"
+#include "cast/scene_tetras.h"
+#include "style/styled_scene.h"
+#include "style/surface_normals.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace vo {
+
+/// A chain of styles, and how far it goes without normals.
+struct ChainPlan
+{
+    StyleChain chain; ///< effectiveChain()
+    /// Styles at the front that read no normal: the opacity they leave decides which samples go on.
+    std::size_t withoutNormals = 0;
+    bool keepsClear = true;
+    /// What firstColor() makes of a voxel is what the chain begins with.
+    bool beginsWithVoxel = true;
+
+    explicit ChainPlan(const StyleChain& whole);
+};
+
+/// All that rays need of a volume; not changed while they walk.
+struct CastVolume
+{
+    const StyledVolume* styled = nullptr;
+    std::shared_ptr<const PaddedVoxels> voxels;
+    glm::dmat4 localFromEye{1.0};
+    std::vector<glm::dvec4> eyePlanes; ///< kept where dot(plane, p) >= 0
+    std::vector<ChainPlan> plans;      ///< of the volume's chains, or of its surfaces
+    float shortestEdge = 1.0f;         ///< of a voxel, local
+    std::optional<CastTetras> tetras;
+    SurfaceNormals gradients{nullptr}; ///< of IsoSurfaces
+
+    /// `voxels` is left to the caller. Borrows both.
+    CastVolume(const StyledVolume& styled, const SceneRays& rays);
+
+    /// Reads the components of the first `count` voxels.
+    void read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const;
+    /// The chain of the segment at a place, below 0 for none: 0 without segments.
+    int chainAt(const glm::vec3& place) const;
+};
+
+/// False for volumes whose numbers make no sense, and for what rays do not draw (stipples).
+bool isCast(const StyledVolume& volume);
+
+} // namespace vo

@@ -1,0 +1,95 @@
+#include "cast/ray_path.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vo {
+
+namespace {
+
+/// A ray with more samples than this is left out: such spacings are mistakes.
+constexpr double kMostPlanes = 1 << 24;
+
+/// The part of a ray with all three numbers from 0 to 1.
+void cutToUnitCube(const DepthRay& place, DepthRange& depths)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        depths.cut(place.origin[axis], place.direction[axis]);
+        depths.cut(1.0 - place.origin[axis], -place.direction[axis]);
+    }
+}
+
+} // namespace
+
+bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const TetraSpan> spans)
+{
+    pieces_.clear();
+    for (const glm::dvec4& plane : volume_.eyePlanes)
+        depths.cut(glm::dot(glm::dvec3(plane), ray.origin) + plane.w,
+                   glm::dot(glm::dvec3(plane), ray.direction));
+    local_ = transformed(volume_.localFromEye, ray);
+    if (!volume_.tetras) {
+        const glm::dvec3 size(volume_.styled->dimensions);
+        const DepthRay place{local_.origin / size + 0.5, local_.direction / size};
+        cutToUnitCube(place, depths);
+        addPiece(depths, place, -1);
+    }
+    for (const TetraSpan& span : spans) {
+        const DepthRange part{std::max(depths.begin, span.depths.begin),
+                              std::min(depths.end, span.depths.end)};
+        addPiece(part, transformed(volume_.tetras->placeFromLocal(span.tetra), local_),
+                 static_cast<int>(span.tetra));
+    }
+    piece_ = 0;
+    if (!pieces_.empty()) plane_ = pieces_[0].first;
+    return !pieces_.empty();
+}
+
+/// A plane at which one piece ends and the next begins belongs to the first.
+void RayPath::addPiece(DepthRange depths, const DepthRay& place, int tetra)
+{
+    if (depths.empty()) return;
+    const double first = std::ceil(depths.begin / volume_.styled->spacing - 0.5);
+    const double last = std::floor(depths.end / volume_.styled->spacing - 0.5);
+    if (!(first <= last) || last - first > kMostPlanes || std::abs(first) > 1e15) return;
+    Piece piece{depths, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last), place, tetra};
+    if (!pieces_.empty()) piece.first = std::max(piece.first, pieces_.back().last + 1);
+    if (piece.first <= piece.last) pieces_.push_back(piece);
+}
+
+bool RayPath::next(SampleChunk& chunk)
+{
+    if (piece_ == pieces_.size()) return false;
+    const Piece& piece = pieces_[piece_];
+    chunk.count = static_cast<int>(std::min<std::int64_t>(kChunkSize, piece.last - plane_ + 1));
+    chunk.plane = plane_;
+    chunk.piece = piece_;
+    const glm::dvec3 start = piece.place.at(depthOf(plane_));
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto from = static_cast<float>(start[axis]);
+        const auto step = static_cast<float>(piece.place.direction[axis] * volume_.styled->spacing);
+        for (std::size_t i = 0; i < kChunkSize; ++i)
+            chunk.place[static_cast<std::size_t>(axis)][i] = from + static_cast<float>(i) * step;
+    }
+    volume_.read(chunk.count, chunk.place, chunk.voxel);
+    plane_ += chunk.count;
+    if (plane_ > piece.last && ++piece_ < pieces_.size()) plane_ = pieces_[piece_].first;
+    return true;
+}
+
+const RayPath::Piece* RayPath::pieceAt(double depth) const
+{
+    const auto found = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+        return depth >= piece.depths.begin && depth <= piece.depths.end;
+    });
+    return found == pieces_.end() ? nullptr : &*found;
+}
+
+double RayPath::unitsOfSample() const
+{
+    return glm::length(local_.direction) * volume_.styled->spacing / volume_.styled->unitLength;
+}
+
+} // namespace vo

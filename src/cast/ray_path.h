@@ -1,0 +1,64 @@
+#pragma once
+
+#include "cast/cast_volume.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vo {
+
+constexpr int kChunkSize = 16;
+
+/// Where neighbouring sampling planes meet a ray, and the voxels there.
+struct SampleChunk
+{
+    int count = 0;
+    std::int64_t plane = 0; ///< of the first sample
+    std::size_t piece = 0;  ///< of the path
+    BatchVectors place;
+    std::array<BatchFloats, 4> voxel;
+};
+
+/// The way of a ray through a volume: one piece in a box, several in tetrahedra.
+class RayPath
+{
+public:
+    struct Piece
+    {
+        DepthRange depths;
+        std::int64_t first = 0, last = -1; ///< sampling planes in it
+        DepthRay place;
+        int tetra = -1; ///< below 0: the box
+    };
+
+    explicit RayPath(const CastVolume& volume) : volume_(volume) {}
+
+    /// Starts a ray of eye space; false if no sampling plane meets it in the volume within `depths`. `spans`:
+    /// of the volume's tetrahedra.
+    bool begin(const DepthRay& ray, DepthRange depths, std::span<const TetraSpan> spans);
+    /// The next samples, up to kChunkSize; false at the end.
+    bool next(SampleChunk& chunk);
+
+    double depthOf(std::int64_t plane) const
+    {
+        return sampleDepth(volume_.styled->spacing, static_cast<double>(plane));
+    }
+    const DepthRay& local() const { return local_; }
+    const Piece& piece(std::size_t index) const { return pieces_[index]; }
+    /// The piece that has a depth; nothing outside of the volume.
+    const Piece* pieceAt(double depth) const;
+    /// How long a sample is, in unit lengths.
+    double unitsOfSample() const;
+
+private:
+    void addPiece(DepthRange depths, const DepthRay& place, int tetra);
+
+    const CastVolume& volume_;
+    DepthRay local_;
+    std::vector<Piece> pieces_;
+    std::size_t piece_ = 0;
+    std::int64_t plane_ = 0;
+};
+
+} // namespace vo

@@ -1,0 +1,39 @@
+#include "cast/ray_projection.h"
+
+namespace vo {
+
+bool JoinedSamples::endsAbove() const
+{
+    return projection_.intensityThreshold > 0.0f && last_.value > sign_ * projection_.intensityThreshold;
+}
+
+void JoinedSamples::add(double depth, float intensity, float opacity)
+{
+    if (decided_) return;
+    if (count_ == 0) depth_ = depth;
+    const Candidate sample{sign_ * intensity, opacity};
+    intensities_ += static_cast<double>(intensity);
+    opacities_ += static_cast<double>(opacity);
+    if (projection_.type != RayProjection::Type::average && count_ > 0 && endsAbove() &&
+        sample.value < last_.value) {
+        decided_ = true;
+        return;
+    }
+    if (count_ == 0 || sample.value > best_.value) best_ = sample;
+    last_ = sample;
+    ++count_;
+}
+
+float JoinedSamples::intensity() const
+{
+    if (projection_.type == RayProjection::Type::average) return static_cast<float>(intensities_ / count_);
+    return sign_ * chosen().value;
+}
+
+float JoinedSamples::opacity() const
+{
+    if (projection_.type == RayProjection::Type::average) return static_cast<float>(opacities_ / count_);
+    return chosen().opacity;
+}
+
+} // namespace vo

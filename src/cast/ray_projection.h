@@ -1,0 +1,44 @@
+#pragma once
+
+#include "style/styled_scene.h"
+
+namespace vo {
+
+/// Joins the samples of a ray to one.
+class JoinedSamples
+{
+public:
+    explicit JoinedSamples(const RayProjection& projection)
+        : projection_(projection), sign_(projection.type == RayProjection::Type::min ? -1.0f : 1.0f)
+    {
+    }
+
+    void add(double depth, float intensity, float opacity);
+    /// No sample that may come changes the result.
+    bool decided() const { return decided_; }
+
+    bool empty() const { return count_ == 0; }
+    double depth() const { return depth_; } ///< of the first sample
+    float intensity() const;
+    float opacity() const;
+
+private:
+    struct Candidate
+    {
+        float value = 0.0f; ///< the greater, the better
+        float opacity = 0.0f;
+    };
+    /// The last sample is chosen if the ray ends there.
+    bool endsAbove() const;
+    const Candidate& chosen() const { return decided_ || endsAbove() ? last_ : best_; }
+
+    RayProjection projection_;
+    float sign_;
+    int count_ = 0;
+    double depth_ = 0.0;
+    bool decided_ = false;
+    Candidate best_, last_;
+    double intensities_ = 0.0, opacities_ = 0.0;
+};
+
+} // namespace vo
