@@ -26,6 +26,7 @@ void cutToUnitCube(const DepthRay& place, DepthRange& depths)
 bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const TetraSpan> spans)
 {
     pieces_.clear();
+    lastPlane_.reset();
     for (const glm::dvec4& plane : volume_.eyePlanes)
         depths.cut(glm::dot(glm::dvec3(plane), ray.origin) + plane.w,
                    glm::dot(glm::dvec3(plane), ray.direction));
@@ -43,20 +44,30 @@ bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const Tetr
                  static_cast<int>(span.tetra));
     }
     piece_ = 0;
-    if (!pieces_.empty()) plane_ = pieces_[0].first;
-    return !pieces_.empty();
+    toPlanes();
+    return piece_ < pieces_.size();
 }
 
-/// A plane at which one piece ends and the next begins belongs to the first.
+/// Goes on to the next piece that has planes.
+void RayPath::toPlanes()
+{
+    while (piece_ < pieces_.size() && pieces_[piece_].first > pieces_[piece_].last)
+        ++piece_;
+    if (piece_ < pieces_.size()) plane_ = pieces_[piece_].first;
+}
+
+/// A plane at which one piece ends and the next begins belongs to the first. Pieces between two planes may
+/// have surfaces.
 void RayPath::addPiece(DepthRange depths, const DepthRay& place, int tetra)
 {
     if (depths.empty()) return;
     const double first = std::ceil(depths.begin / volume_.styled->spacing - 0.5);
     const double last = std::floor(depths.end / volume_.styled->spacing - 0.5);
-    if (!(first <= last) || last - first > kMostPlanes || std::abs(first) > 1e15) return;
+    if (!(last - first <= kMostPlanes) || !(std::abs(first) <= 1e15)) return;
     Piece piece{depths, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last), place, tetra};
-    if (!pieces_.empty()) piece.first = std::max(piece.first, pieces_.back().last + 1);
-    if (piece.first <= piece.last) pieces_.push_back(piece);
+    if (lastPlane_) piece.first = std::max(piece.first, *lastPlane_ + 1);
+    if (piece.first <= piece.last) lastPlane_ = piece.last;
+    pieces_.push_back(piece);
 }
 
 bool RayPath::next(SampleChunk& chunk)
@@ -75,7 +86,10 @@ bool RayPath::next(SampleChunk& chunk)
     }
     volume_.read(chunk.count, chunk.place, chunk.voxel);
     plane_ += chunk.count;
-    if (plane_ > piece.last && ++piece_ < pieces_.size()) plane_ = pieces_[piece_].first;
+    if (plane_ > piece.last) {
+        ++piece_;
+        toPlanes();
+    }
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "cast/cast_volume.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,12 +54,14 @@ public:
 
 private:
     void addPiece(DepthRange depths, const DepthRay& place, int tetra);
+    void toPlanes();
 
     const CastVolume& volume_;
     DepthRay local_;
     std::vector<Piece> pieces_;
     std::size_t piece_ = 0;
     std::int64_t plane_ = 0;
+    std::optional<std::int64_t> lastPlane_; ///< of the pieces added so far
 };
 
 } // namespace vo

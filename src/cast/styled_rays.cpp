@@ -42,6 +42,7 @@ bool StyledRay::begin(const DepthRay& ray, DepthRange depths, double opaque, std
     crossings_.clear();
     crossing_ = 0;
     before_.reset();
+    projected_ = false;
     wanted_ = kChunkSize;
     if (!path_.begin(ray, depths, spans)) return false;
     units_ = static_cast<float>(path_.unitsOfSample());
@@ -105,6 +106,8 @@ void StyledRay::emit(FragmentRun& run) const
 
 bool StyledRay::project(FragmentRun& run)
 {
+    if (projected_) return false;
+    projected_ = true;
     JoinedSamples joined(*volume_.styled->projection);
     const int components = volume_.styled->voxels->components;
     while (!joined.decided() && collectSamples()) {

@@ -59,6 +59,7 @@ private:
     void cross(const Before& before, const Before& after);
     bool placeCrossings();
 
+    /// Joins all samples to one fragment.
     bool project(FragmentRun& run);
 
     const CastVolume& volume_;
@@ -68,6 +69,7 @@ private:
     RaySamples samples_;
     int wanted_ = 0; ///< samples of the next batch
     bool dropsFirstClear_ = false;
+    bool projected_ = false;
     float units_ = 1.0f;
     double opaque_ = 0.0;
     std::optional<Before> before_;

@@ -1,98 +1,20 @@
 #include "cast/cast_scene.h"
+#include "styled_scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 
 namespace {
 
+using namespace styled_scenes;
 using vo::ScenePicture;
 using vo::StyledScene;
 using vo::StyledVolume;
-
-constexpr double kPi = 3.14159265358979323846;
-
-std::shared_ptr<vo::VoxelTexture> textureOf(const vo::VoxelSize& size, int components,
-                                            const std::function<float(const glm::vec3&, int)>& value)
-{
-    auto texture = std::make_shared<vo::VoxelTexture>();
-    texture->size = size;
-    texture->components = components;
-    texture->kind = vo::TexelKind::float32;
-    std::vector<float> texels;
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                for (int c = 0; c < components; ++c) {
-                    const glm::vec3 place = (glm::vec3(x, y, z) + 0.5f) / glm::vec3(size.x, size.y, size.z);
-                    texels.push_back(value(place, c));
-                }
-    texture->texels.resize(texels.size() * sizeof(float));
-    std::memcpy(texture->texels.data(), texels.data(), texture->texels.size());
-    return texture;
-}
-
-/// Luminance and alpha, everywhere the same.
-std::shared_ptr<vo::VoxelTexture> constantTexture(float luminance, float alpha)
-{
-    return textureOf({8, 8, 8}, 2, [=](const glm::vec3&, int c) { return c == 0 ? luminance : alpha; });
-}
-
-/// A box of 8 voxels a side, sampled once a voxel.
-StyledVolume boxOf(std::shared_ptr<const vo::VoxelTexture> texture,
-                   const glm::vec3& dimensions = glm::vec3(8.0f))
-{
-    StyledVolume volume;
-    volume.voxels = std::move(texture);
-    volume.dimensions = dimensions;
-    volume.unitLength = volume.spacing = 1.0;
-    return volume;
-}
-
-/// Orthographic, from 20 along +z: planes lie at half voxels of boxes round whole places.
-StyledScene orthoScene(int size = 40, double half = 10.0)
-{
-    StyledScene scene;
-    scene.width = scene.height = size;
-    scene.eyeFromWorld = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -20.0});
-    scene.clipFromEye = glm::ortho(-half, half, -half, half, 1.0, 100.0);
-    return scene;
-}
-
-StyledScene perspectiveScene(int size = 40)
-{
-    StyledScene scene = orthoScene(size);
-    scene.clipFromEye = glm::perspective(kPi / 3.0, 1.0, 1.0, 100.0);
-    return scene;
-}
-
-ScenePicture castOf(const StyledScene& scene, int threads = 1)
-{
-    ScenePicture picture;
-    vo::castScene(scene, threads, picture);
-    return picture;
-}
-
-glm::vec4 pixelOf(const ScenePicture& picture, int x, int y)
-{
-    const float* rgba = &picture.rgba[4 * static_cast<std::size_t>(y * picture.width + x)];
-    return {rgba[0], rgba[1], rgba[2], rgba[3]};
-}
-
-glm::vec4 middleOf(const ScenePicture& picture)
-{
-    return pixelOf(picture, picture.width / 2, picture.height / 2);
-}
-
-float middleDepth(const ScenePicture& picture)
-{
-    return picture.depth[static_cast<std::size_t>(picture.height / 2 * picture.width + picture.width / 2)];
-}
 
 TEST(castScene, constantVolumeIsAsOpaqueAsItIsLong)
 {
