@@ -65,6 +65,7 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
         messages_.warn(node, node.typeName() + ".dimensions: expected numbers above 0, found 0: not drawn");
         return {};
     }
+    styles_.setDimensions(volume.dimensions);
     if (!fill(node, volume)) return {};
     volume.clipPlanes = shown.clipPlanes;
     volume.unitLength = shortestEdge(volume);

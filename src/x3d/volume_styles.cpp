@@ -171,6 +171,7 @@ void VolumeStyles::addBlended(const Node& style, DrawnStyle& drawn, int depth)
     fields.voxels = textures_.of(nodeOf(style, "voxels"));
     if (!fields.voxels)
         return messages_.warn(style, "expected voxels in BlendedVolumeStyle, found none: left out");
+    fields.dimensions = dimensions_;
     DrawnStyle other;
     if (const Node* const otherStyle = nodeOf(style, "renderStyle"))
         add(*otherStyle, *fields.voxels, other, depth + 1);

@@ -27,6 +27,9 @@ public:
     {
     }
 
+    /// The box of the volume that styles are made for from here on.
+    void setDimensions(const glm::vec3& dimensions) { dimensions_ = dimensions; }
+
     /// Of a style; NULL: an OpacityMapVolumeStyle with the defaults of `edition`.
     DrawnStyle of(const Node* style, Edition edition, const VoxelTexture& voxels);
 
@@ -51,6 +54,7 @@ private:
 
     VoxelTextures& textures_;
     ViewMessages& messages_;
+    glm::vec3 dimensions_{1.0f};
 };
 
 } // namespace vo

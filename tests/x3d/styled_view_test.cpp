@@ -425,5 +425,23 @@ TEST(StyledView, nodesBelowThemselvesEnd)
     EXPECT_NE(s.messages().find("cut off"), std::string::npos);
 }
 
+TEST(StyledView, blendedVoxelsHaveTheGradientOfTheVolumesBox)
+{
+    const ViewedScene s("<VolumeData dimensions='1 1 8'>" + kVoxels +
+                        "<BlendedVolumeStyle weightConstant1='0' weightConstant2='1'>"
+                        "<BoundaryEnhancementVolumeStyle retainedOpacity='0' boundaryOpacity='1' "
+                        "opacityFactor='1'/><PixelTexture3D image='1 1 1 3 0 102 255'/>"
+                        "</BlendedVolumeStyle></VolumeData>");
+    ASSERT_EQ(s.drawn.volumes.size(), 1u) << s.messages();
+    SampleBatch samples{};
+    samples.count = 1;
+    for (BatchFloats& coordinate : samples.place)
+        coordinate[0] = 0.5f;
+    ASSERT_EQ(s.drawn.volumes[0].chains[0].size(), 1u);
+    s.drawn.volumes[0].chains[0][0]->apply({}, samples);
+    // From 0 to 1 over two voxels of 8/3; the shortest edge is 1.
+    EXPECT_NEAR(samples.Ov[0], 0.4 * 0.5 / (8.0 / 3.0), 1e-6);
+}
+
 } // namespace
 } // namespace vo
