@@ -76,13 +76,4 @@ DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray)
             glm::dvec3(matrix * glm::dvec4(ray.direction, 0.0))};
 }
 
-bool isInvertible(const glm::dmat4& matrix)
-{
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(matrix[column][row])) return false;
-    const double determinant = glm::determinant(matrix);
-    return std::isfinite(determinant) && determinant != 0.0;
-}
-
 } // namespace vo

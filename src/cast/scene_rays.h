@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/invertible.h"
 #include "style/styled_scene.h"
 
 #include <glm/mat4x4.hpp>
@@ -49,8 +50,5 @@ private:
 
 /// The ray in another space.
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray);
-
-/// True if all numbers are finite and the matrix can be inverted.
-bool isInvertible(const glm::dmat4& matrix);
 
 } // namespace vo

@@ -67,14 +67,4 @@ double smallestScale(const glm::dmat4& matrix)
     return std::sqrt(std::max(least, 0.0));
 }
 
-bool isInvertible(const glm::dmat4& matrix)
-{
-    const double determinant = glm::determinant(glm::dmat3(matrix));
-    bool finite = std::isfinite(determinant) && std::isfinite(1.0 / determinant);
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            finite = finite && std::isfinite(matrix[column][row]);
-    return finite;
-}
-
 } // namespace vo

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/invertible.h"
 #include "x3d/scene.h"
 
 #include <glm/mat3x3.hpp>
@@ -20,8 +21,5 @@ glm::dmat3 rigidAxes(const glm::dmat4& matrix);
 
 /// The smallest factor by which lengths change.
 double smallestScale(const glm::dmat4& matrix);
-
-/// Whether it can be inverted in numbers that are finite.
-bool isInvertible(const glm::dmat4& matrix);
 
 } // namespace vo
