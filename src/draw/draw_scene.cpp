@@ -3,6 +3,7 @@
 #include "draw/draw_sky.h"
 #include "draw/draw_surfaces.h"
 #include "draw/draw_volumes.h"
+#include "draw/opaque_depths.h"
 #include "draw/scene_state.h"
 #include "polygonize/slice_stack.h"
 
@@ -11,6 +12,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace vo {
 
@@ -50,6 +52,7 @@ struct SceneDrawer::Private
     StackSlicer slicer;
     SceneArrays arrays{resources.context};
     TranslucentSurfaces translucent{resources};
+    OpaqueDepths opaqueDepths{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
 
     void draw(const StyledScene& scene);
@@ -64,10 +67,13 @@ private:
 std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
 {
     std::size_t count = 0;
+    bool depthsDrawn = false;
     for (const StyledVolume& volume : scene.volumes) {
         if (!isDrawn(volume)) continue;
         if (count == volumes.size()) volumes.push_back(std::make_unique<DrawnVolume>(resources));
-        volumes[count++]->prepare(scene, volume, slicer);
+        const bool ends = isProjected(volume) && hasOpaqueSurfaces(scene);
+        if (ends && !std::exchange(depthsDrawn, true)) opaqueDepths.draw(scene, arrays);
+        volumes[count++]->prepare(scene, volume, slicer, ends ? &opaqueDepths : nullptr);
     }
     return count;
 }
@@ -113,7 +119,7 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS);
     gl.DepthMask(GL_TRUE);
-    drawOpaqueSurfaces(scene, resources, arrays);
+    drawOpaqueSurfaces(scene, resources, arrays, SurfaceLook::color);
     gl.DepthMask(GL_FALSE);
     drawLayers(steps);
     resources.textures.endPicture();

@@ -93,9 +93,7 @@ void drawSky(const StyledScene& scene, SceneResources& resources, SceneArrays& a
     program.set("skyAngles", std::span<const float>(sky.angles));
     program.set("ground", std::span<const glm::vec3>(ground.colors));
     program.set("groundAngles", std::span<const float>(ground.angles));
-    constexpr float kTriangle[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
-    arrays.send(kTriangle, std::size(kTriangle));
-    arrays.attribute(0, 2, 0, 2);
+    arrays.sendPictureTriangle();
     resources.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

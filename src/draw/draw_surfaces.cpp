@@ -69,7 +69,13 @@ double marginOf(const glm::dvec3& normal, const std::array<glm::dvec3, 3>& eye, 
 
 } // namespace
 
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays)
+bool hasOpaqueSurfaces(const StyledScene& scene)
+{
+    return std::ranges::any_of(scene.surfaces, &StyledSurface::isOpaque);
+}
+
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays,
+                        SurfaceLook look)
 {
     std::vector<float> records;
     for (const StyledSurface& surface : scene.surfaces) {
@@ -80,7 +86,7 @@ void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, Sce
             append(records, normalAt(surface, vertex));
         }
         const std::vector<std::uint32_t> indices(surface.triangles.begin(), surface.triangles.end());
-        useSurfaceProgram(scene, surface, false, resources.programs);
+        useSurfaceProgram(scene, surface, look, resources.programs);
         arrays.send(records.data(), records.size());
         arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
         arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
@@ -215,7 +221,8 @@ void TranslucentSurfaces::drawSlab()
                triangles_[parts_[next_].triangle].surface == surface)
             ++next_;
         if (surface != used_)
-            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], true, resources_.programs);
+            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfaceLook::slab,
+                                          resources_.programs);
         used_ = surface;
         program_->set("slab", glm::vec2(finite(nearest), finite(farthest)));
         resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (next_ - first)),

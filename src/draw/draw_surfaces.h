@@ -10,7 +10,9 @@
 namespace vo {
 
 /// Draws the opaque ones, with the depth test that is set.
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays);
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays,
+                        SurfaceLook look);
+bool hasOpaqueSurfaces(const StyledScene& scene);
 
 /// The translucent surfaces of a picture, drawn slab by slab between depths. In a slab the triangle whose
 /// middle is farthest comes first.

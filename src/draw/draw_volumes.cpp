@@ -3,6 +3,8 @@
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
@@ -34,24 +36,37 @@ void fillChainTable(const std::vector<int>& chainOf, VoxelTexture& table)
 
 bool isDrawn(const StyledVolume& volume)
 {
-    if (!volume.voxels || volume.stipple) return false;
+    if (!volume.voxels || volume.stipple || (volume.tetras && isProjected(volume))) return false;
     return !volume.surfaces || (!volume.surfaces->values.empty() && !volume.surfaces->chains.empty());
 }
 
 DrawnVolume::DrawnVolume(SceneResources& resources) : resources_(resources), arrays_(resources.context) {}
 
-void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer)
+void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
+                          const OpaqueDepths* opaqueDepths)
 {
     scene_ = &scene;
     volume_ = &volume;
-    cutLayers(scene, volume, slicer, layers_);
+    opaqueDepths_ = opaqueDepths;
+    if (isProjected(volume))
+        countLayers(scene, volume, layers_);
+    else
+        cutLayers(scene, volume, slicer, layers_);
     if (layers_.layers.empty()) return;
-    texts_ = sliceProgram(volume);
+    texts_ = volumeProgram(volume, opaqueDepths != nullptr);
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
+    if (isProjected(volume))
+        arrays_.sendPictureTriangle();
+    else
+        sendSlices();
+}
+
+void DrawnVolume::sendSlices()
+{
     const int values = layers_.valuesPerRecord;
     arrays_.send(layers_.stack.records.data(), layers_.stack.records.size());
     arrays_.attribute(kSliceVoxel, 3, values - 3, values);
-    if (volume.tetras)
+    if (volume_->tetras)
         for (GLuint column = 0; column < 4; ++column)
             arrays_.attribute(kSlicePlace + column, 3, static_cast<int>(3 * column), values);
     arrays_.sendIndices(layers_.stack.indices.data(), layers_.stack.indices.size());
@@ -60,7 +75,8 @@ void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, 
 void DrawnVolume::bindTextures()
 {
     const auto& textures = texts_.chains.textures();
-    const int units = 1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0);
+    const int units =
+        1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) + (opaqueDepths_ ? 1 : 0);
     if (units > resources_.context.mostUnits)
         throw std::runtime_error("a volume reads " + std::to_string(units) + " textures, this driver takes " +
                                  std::to_string(resources_.context.mostUnits));
@@ -70,6 +86,10 @@ void DrawnVolume::bindTextures()
     for (const GlslChain::Texture& texture : textures) {
         resources_.textures.bind(unit, *texture.texture);
         program_->set(texture.name, unit++);
+    }
+    if (opaqueDepths_) {
+        opaqueDepths_->bind(unit);
+        program_->set("opaqueDepths", unit++);
     }
     if (volume_->segments) bindSegments(*volume_->segments, unit);
 }
@@ -101,6 +121,7 @@ void DrawnVolume::setView(SceneProgram& program) const
     program.set("spacing", static_cast<float>(volume_->spacing));
     program.set("unitLength", static_cast<float>(volume_->unitLength));
     program.set("shortestEdge", std::min({edges.x, edges.y, edges.z}));
+    if (isProjected(*volume_)) setRays(program);
     std::vector<glm::vec4> planes;
     for (const glm::dvec4& plane : volume_->clipPlanes)
         planes.emplace_back(plane * worldFromLocal);
@@ -121,10 +142,30 @@ void DrawnVolume::use()
     program_->set("surfaceTolerance", volume_->surfaces->surfaceTolerance);
 }
 
+void DrawnVolume::setRays(SceneProgram& program) const
+{
+    const glm::dmat4 localFromEye = glm::inverse(scene_->eyeFromWorld * volume_->worldFromLocal);
+    const EyeRays rays = eyeRays(scene_->clipFromEye);
+    glm::dmat3 origins = glm::dmat3(localFromEye) * rays.origin;
+    origins[0] += glm::dvec3(localFromEye[3]);
+    program.set("rayOrigins", glm::mat3(origins));
+    program.set("rayDirections", glm::mat3(glm::dmat3(localFromEye) * rays.direction));
+    const DepthsSeen seen = depthsSeen(scene_->clipFromEye);
+    program.set("depthsSeen", glm::vec2(seen.nearest, std::min(seen.farthest, 1e30)));
+    program.set("intensityThreshold", volume_->projection->intensityThreshold);
+}
+
 void DrawnVolume::draw(std::size_t first, std::size_t count) const
 {
-    resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                                       reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+    const GladGLContext& gl = resources_.context.gl;
+    if (!isProjected(*volume_)) {
+        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+        return;
+    }
+    const double last = layers_.lastPlane - static_cast<double>(first);
+    program_->set("band", glm::vec2(last - static_cast<double>(count) + 0.5, last + 0.5));
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 } // namespace vo

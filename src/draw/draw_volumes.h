@@ -1,5 +1,6 @@
 #pragma once
 
+#include "draw/opaque_depths.h"
 #include "draw/scene_resources.h"
 #include "draw/volume_layers.h"
 #include "draw/volume_programs.h"
@@ -18,17 +19,21 @@ class DrawnVolume
 public:
     explicit DrawnVolume(SceneResources& resources);
 
-    /// Borrows both until it is drawn.
-    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer);
+    /// Borrows all but the slicer until it is drawn. `opaqueDepths`: where rays of a projection end, if
+    /// anywhere.
+    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
+                 const OpaqueDepths* opaqueDepths);
     const std::vector<SliceLayer>& layers() const { return layers_.layers; }
     /// Makes its program, textures and arrays those that draw() uses.
     void use();
     void draw(std::size_t first, std::size_t count) const;
 
 private:
+    void sendSlices();
     void bindTextures();
     void bindSegments(const Segments& segments, int unit);
     void setView(SceneProgram& program) const;
+    void setRays(SceneProgram& program) const;
 
     SceneResources& resources_;
     SceneArrays arrays_;
@@ -38,6 +43,7 @@ private:
     VoxelTexture chainTable_;
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;
+    const OpaqueDepths* opaqueDepths_ = nullptr;
 };
 
 /// Whether there is anything of it to draw.

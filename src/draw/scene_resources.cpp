@@ -1,5 +1,7 @@
 #include "draw/scene_resources.h"
 
+#include <iterator>
+
 namespace vo {
 
 SceneArrays::SceneArrays(const SceneContext& context) : context_(context)
@@ -35,6 +37,13 @@ void SceneArrays::attribute(GLuint location, int count, int first, int stride)
     gl.VertexAttribPointer(location, count, GL_FLOAT, GL_FALSE, stride * static_cast<int>(sizeof(float)),
                            reinterpret_cast<const void*>(static_cast<std::size_t>(first) * sizeof(float)));
     attributes_ |= 1u << location;
+}
+
+void SceneArrays::sendPictureTriangle()
+{
+    constexpr float kCorners[] = {-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+    send(kCorners, std::size(kCorners));
+    attribute(0, 2, 0, 2);
 }
 
 void SceneArrays::sendIndices(const std::uint32_t* indices, std::size_t count)

@@ -28,6 +28,8 @@ public:
     void send(const float* records, std::size_t floats);
     /// The floats from `first` on in records of `stride` become an attribute.
     void attribute(GLuint location, int count, int first, int stride);
+    /// A triangle that covers the picture, two floats a corner: attribute 0.
+    void sendPictureTriangle();
     void sendIndices(const std::uint32_t* indices, std::size_t count);
 
 private:

@@ -59,7 +59,8 @@ void ScopedSceneState::saveUnits()
     units_.resize(static_cast<std::size_t>(context_.mostUnits));
     for (GLuint unit = 0; unit < units_.size(); ++unit) {
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
-        gl_.GetIntegerv(GL_TEXTURE_BINDING_3D, &units_[unit].texture);
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_3D, &units_[unit].texture3d);
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &units_[unit].texture2d);
         gl_.GetIntegerv(GL_SAMPLER_BINDING, &units_[unit].sampler);
         gl_.BindSampler(unit, 0);
     }
@@ -69,7 +70,8 @@ void ScopedSceneState::restoreUnits() const
 {
     for (GLuint unit = 0; unit < units_.size(); ++unit) {
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
-        gl_.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(units_[unit].texture));
+        gl_.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(units_[unit].texture3d));
+        gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(units_[unit].texture2d));
         gl_.BindSampler(unit, static_cast<GLuint>(units_[unit].sampler));
     }
     gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));

@@ -18,10 +18,12 @@ enum SurfaceAttribute : unsigned {
     kSurfaceDepths = 4
 };
 
-/// A surface's program, in use and with all that it knows of the scene. `sliced`: draws the part between two
-/// depths alone, uniform `slab` (nearest, farthest: belongs to what is behind), and twice the same pixel
-/// never.
-SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, bool sliced,
+/// What becomes of a surface: its colour, the part of it that lies between two depths (uniform `slab`: the
+/// nearest, and the farthest, which belongs to what is behind; no pixel twice), or its eye depth as red.
+enum class SurfaceLook { color, slab, depth };
+
+/// A surface's program, in use and with all that it knows of the scene.
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfaceLook look,
                                 ScenePrograms& programs);
 
 } // namespace vo

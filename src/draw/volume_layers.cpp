@@ -16,6 +16,8 @@ namespace vo {
 namespace {
 
 constexpr double kMostPlanes = 1 << 20;
+/// Into which rays of a projection are divided by their first sample, where other things are in between.
+constexpr std::size_t kMostBands = 64;
 constexpr int kTetraValues = 15; ///< place, placeFromLocal, position
 
 glm::dvec3 sizeOf(const StyledVolume& volume)
@@ -93,6 +95,11 @@ Body tetraBody(const StyledVolume& volume)
     return body;
 }
 
+Body bodyOf(const StyledVolume& volume)
+{
+    return volume.tetras ? tetraBody(volume) : boxBody(volume);
+}
+
 DepthsSeen depthsOf(const Body& body, const glm::dvec4& depthRow)
 {
     DepthsSeen range{INFINITY, -INFINITY};
@@ -104,6 +111,27 @@ DepthsSeen depthsOf(const Body& body, const glm::dvec4& depthRow)
     return range;
 }
 
+/// The planes that meet a volume, as sampleDepth() counts them; depthRow is that of its voxels.
+struct PlaneRange
+{
+    glm::dvec4 depthRow;
+    double first, last;
+
+    std::size_t count() const { return first <= last ? static_cast<std::size_t>(last - first) + 1 : 0; }
+};
+
+PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume, const Body& body)
+{
+    const glm::dvec4 depthRow = depthRowOf(scene, volume.worldFromLocal * localFromVoxel(volume));
+    const DepthsSeen own = depthsOf(body, depthRow), seen = depthsSeen(scene.clipFromEye);
+    const double first = std::ceil(std::max(own.nearest, seen.nearest) / volume.spacing - 0.5);
+    const double last = std::floor(std::min(own.farthest, seen.farthest) / volume.spacing - 0.5);
+    if (last - first >= kMostPlanes)
+        throw std::runtime_error("a volume has " + std::to_string(last - first + 1.0) +
+                                 " sampling planes, at most " + std::to_string(kMostPlanes) + " are drawn");
+    return {depthRow, first, last};
+}
+
 } // namespace
 
 glm::dmat4 localFromVoxel(const StyledVolume& volume)
@@ -112,32 +140,42 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume)
     return glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * glm::dvec3(volume.dimensions)), edge);
 }
 
+void countLayers(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers)
+{
+    layers.layers.clear();
+    const Body body = bodyOf(volume);
+    const PlaneRange planes = planesOf(scene, volume, body);
+    layers.lastPlane = planes.last;
+    const std::size_t count = planes.count(), wide = (count + kMostBands - 1) / kMostBands;
+    for (std::size_t first = 0; first < count; first += wide) {
+        const std::size_t inBand = std::min(wide, count - first);
+        const double middle =
+            planes.last - static_cast<double>(first) - 0.5 * static_cast<double>(inBand - 1);
+        layers.layers.push_back({sampleDepth(volume.spacing, middle), first, inBand});
+    }
+}
+
 void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
                VolumeLayers& layers)
 {
     layers.layers.clear();
-    const Body body = volume.tetras ? tetraBody(volume) : boxBody(volume);
+    const Body body = bodyOf(volume);
     layers.valuesPerRecord = body.values;
-    const glm::dvec4 depthRow = depthRowOf(scene, volume.worldFromLocal * localFromVoxel(volume));
-    const DepthsSeen own = depthsOf(body, depthRow), seen = depthsSeen(scene.clipFromEye);
+    const PlaneRange range = planesOf(scene, volume, body);
+    if (range.count() == 0) return;
+    const glm::dvec4& depthRow = range.depthRow;
     const double spacing = volume.spacing;
-    const double first = std::ceil(std::max(own.nearest, seen.nearest) / spacing - 0.5);
-    const double last = std::floor(std::min(own.farthest, seen.farthest) / spacing - 0.5);
-    if (!(first <= last)) return;
-    if (last - first >= kMostPlanes)
-        throw std::runtime_error("a volume has " + std::to_string(last - first + 1.0) +
-                                 " sampling planes, at most " + std::to_string(kMostPlanes) + " are drawn");
-    const PlaneFamily planes{glm::dvec3(depthRow), sampleDepth(spacing, last) - depthRow.w, spacing,
-                             static_cast<int>(last - first) + 1};
+    const PlaneFamily planes{glm::dvec3(depthRow), sampleDepth(spacing, range.last) - depthRow.w, spacing,
+                             static_cast<int>(range.count())};
     const Box box = body.bounds;
     if (!slicer.slice(body.view(), {&box, 1}, planes, StackOrder::bySample, 0, layers.stack).complete)
         throw std::runtime_error("a volume has more slices than fit into memory");
     for (const PolygonStack::Run& run : layers.stack.runs) {
-        const float* record = layers.stack.records.data() +
-                              static_cast<std::size_t>(layers.stack.indices[run.first]) *
-                                  static_cast<std::size_t>(body.values) +
-                              body.values - 3;
-        const double depth = glm::dot(depthRow, glm::dvec4(record[0], record[1], record[2], 1.0));
+        const float* position = layers.stack.records.data() +
+                                static_cast<std::size_t>(layers.stack.indices[run.first] + 1) *
+                                    static_cast<std::size_t>(body.values) -
+                                3;
+        const double depth = glm::dot(depthRow, glm::dvec4(position[0], position[1], position[2], 1.0));
         layers.layers.push_back(
             {sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first, run.count});
     }

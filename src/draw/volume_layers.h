@@ -11,7 +11,8 @@ namespace vo {
 
 class StackSlicer;
 
-/// What of a volume lies on one of its planes: a range of the indices.
+/// What of a volume lies on one of its planes: a range of the indices. Of a projection: planes, counted from
+/// the farthest; drawn are rays whose first sample is there.
 struct SliceLayer
 {
     double depth;
@@ -24,6 +25,7 @@ struct VolumeLayers
 {
     PolygonStack stack;
     std::vector<SliceLayer> layers; ///< from the farthest
+    double lastPlane = 0.0;         ///< the farthest, as sampleDepth() counts them
     int valuesPerRecord = 3;
 };
 
@@ -34,5 +36,7 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume);
 /// are too many.
 void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
                VolumeLayers& layers);
+/// Layers of a projection, which has no polygons.
+void countLayers(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers);
 
 } // namespace vo

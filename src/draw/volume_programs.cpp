@@ -4,6 +4,7 @@
 #include "style/surface_normals.h"
 
 #include <algorithm>
+#include <array>
 
 namespace vo {
 
@@ -48,8 +49,10 @@ vec4 styleTexture(sampler3D map, vec3 place)
 )";
 
 constexpr const char* kSampleFunctions = R"(
+#ifndef WHOLE_RAYS
 in vec3 position;
 in vec3 place;
+#endif
 uniform sampler3D voxels;
 uniform vec3 voxelCount, dimensions;
 uniform vec4 viewer, depthRow;
@@ -153,6 +156,104 @@ void main()
 }
 )";
 
+constexpr const char* kPictureVertexShader = R"(
+layout(location = 0) in vec2 corner;
+out vec2 device;
+void main()
+{
+    device = corner;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+// TYPE is 0 for the maximum, 1 for the minimum, 2 for the mean. Each pixel is drawn with the band that its
+// first plane is in.
+constexpr const char* kProjectionMain = R"(
+in vec2 device;
+uniform mat3 rayOrigins, rayDirections;
+uniform vec2 depthsSeen, band;
+uniform float intensityThreshold;
+uniform mat4 clipFromLocal;
+#ifdef OPAQUE_DEPTHS
+uniform sampler2D opaqueDepths;
+#endif
+
+// Keeps of a range the part where value + slope * depth is not negative.
+void cut(inout vec2 range, float value, float slope)
+{
+    if (slope > 0.0)
+        range.x = max(range.x, -value / slope);
+    else if (slope < 0.0)
+        range.y = min(range.y, -value / slope);
+    else if (value < 0.0)
+        range.y = -1e30;
+}
+
+void main()
+{
+    vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
+    vec2 range = depthsSeen;
+    for (int axis = 0; axis < 3; ++axis) {
+        cut(range, origin[axis] / dimensions[axis] + 0.5, way[axis] / dimensions[axis]);
+        cut(range, 0.5 - origin[axis] / dimensions[axis], -way[axis] / dimensions[axis]);
+    }
+#if CLIP_PLANES > 0
+    for (int i = 0; i < CLIP_PLANES; ++i)
+        cut(range, dot(clipPlanes[i], vec4(origin, 1.0)), dot(clipPlanes[i].xyz, way));
+#endif
+#ifdef OPAQUE_DEPTHS
+    range.y = min(range.y, texelFetch(opaqueDepths, ivec2(gl_FragCoord.xy), 0).r);
+#endif
+    vec2 planes = vec2(ceil(range.x / spacing - 0.5), floor(range.y / spacing - 0.5));
+    if (planes.x > planes.y || planes.x < band.x || planes.x > band.y) discard;
+
+    float side = TYPE == 1 ? -1.0 : 1.0;
+    float best = -1e30, opacity = 0.0, count = 0.0, first = planes.x;
+    float before = -1e30, opacityBefore = 0.0;
+    bool found = false;
+    for (float k = planes.x; k <= planes.y; k += 1.0) {
+        vec3 local = origin + ((k + 0.5) * spacing) * way;
+        vec3 at = local / dimensions + 0.5;
+        int chain = chainAt(at);
+        if (chain < 0) continue;
+        StyleSample s = sampleAt(at, local);
+        vec4 color = chainOf(chain, firstColor(s.voxel), s);
+        float value = side * (color.r + color.g + color.b) / 3.0, alpha = opacityOf(chain, color, s);
+        if (count == 0.0) first = k;
+        count += 1.0;
+#if TYPE == 2
+        best = count == 1.0 ? value : best + value;
+        opacity += alpha;
+#else
+        if (intensityThreshold > 0.0 && before > side * intensityThreshold && value < before) {
+            found = true;
+            break;
+        }
+        if (value > best) {
+            best = value;
+            opacity = alpha;
+        }
+        before = value;
+        opacityBefore = alpha;
+#endif
+    }
+    if (count == 0.0) discard;
+#if TYPE == 2
+    best /= count;
+    opacity /= count;
+#else
+    if (found || (intensityThreshold > 0.0 && before > side * intensityThreshold)) {
+        best = before;
+        opacity = opacityBefore;
+    }
+#endif
+    opacity = clamp(opacity, 0.0, 1.0);
+    fragment = vec4(vec3(side * best * opacity), opacity);
+    vec4 clip = clipFromLocal * vec4(origin + ((first + 0.5) * spacing) * way, 1.0);
+    gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far);
+}
+)";
+
 bool needsNormal(std::span<const StyleChain> chains)
 {
     return std::ranges::any_of(chains, [](const StyleChain& chain) {
@@ -194,6 +295,18 @@ int chainAt(vec3 place)
 )";
 }
 
+/// `float opacityOf(int chain, vec4 color, StyleSample s)`: of a projected sample.
+std::string opacityOfText(const StyledVolume& volume)
+{
+    constexpr std::array kVoxelOpacities{"1.0", "s.voxel.g", "1.0", "s.voxel.a"};
+    const std::string ofVoxel = kVoxelOpacities.at(static_cast<std::size_t>(volume.voxels->components) - 1);
+    std::string text = "float opacityOf(int chain, vec4 color, StyleSample s)\n{\n";
+    for (std::size_t i = 0; i < volume.chains.size(); ++i)
+        if (volume.chains[i].empty())
+            text += "    if (chain == " + std::to_string(i) + ") return " + ofVoxel + ";\n";
+    return text + "    return color.a;\n}\n";
+}
+
 std::string define(const std::string& what)
 {
     return "#define " + what + "\n";
@@ -201,14 +314,25 @@ std::string define(const std::string& what)
 
 } // namespace
 
-VolumeProgram sliceProgram(const StyledVolume& volume)
+bool isProjected(const StyledVolume& volume)
+{
+    return volume.projection && !volume.surfaces;
+}
+
+VolumeProgram volumeProgram(const StyledVolume& volume, bool opaqueDepths)
 {
     VolumeProgram program;
+    const bool projection = isProjected(volume);
     const bool surfaces = volume.surfaces.has_value();
     const std::vector<StyleChain>& chains = surfaces ? volume.surfaces->chains : volume.chains;
     std::string definitions = "#version 330 core\n";
     if (volume.tetras) definitions += define("OWN_PLACES");
-    program.vertexText = definitions + kVertexShader;
+    program.vertexText = definitions + (projection ? kPictureVertexShader : kVertexShader);
+    if (projection)
+        definitions += define("WHOLE_RAYS") +
+                       define("TYPE " + std::to_string(static_cast<int>(volume.projection->type))) +
+                       define("CLIP_PLANES " + std::to_string(volume.clipPlanes.size()));
+    if (projection && opaqueDepths) definitions += define("OPAQUE_DEPTHS");
 
     const std::string components = std::to_string(volume.voxels->components);
     definitions += define("COMPONENTS " + components) + define("firstColor firstColor" + components) +
@@ -223,7 +347,9 @@ VolumeProgram sliceProgram(const StyledVolume& volume)
                            clipPlaneDeclarations(volume.clipPlanes.size()) + kStylePreamble +
                            kFirstColorGlsl + program.chains.declarations() + program.chains.functions() +
                            choice + kSampleFunctions +
-                           (surfaces ? kSurfacesMain : chainAtText(volume) + kSamplesMain);
+                           (surfaces     ? kSurfacesMain
+                            : projection ? chainAtText(volume) + opacityOfText(volume) + kProjectionMain
+                                         : chainAtText(volume) + kSamplesMain);
     return program;
 }
 

@@ -18,7 +18,11 @@ struct VolumeProgram
     GlslChain chains;
 };
 
-/// Of what draws slices: samples, or surfaces between them and the next slice behind.
-VolumeProgram sliceProgram(const StyledVolume& volume);
+/// Whether all samples of a ray become one colour.
+bool isProjected(const StyledVolume& volume);
+
+/// What draws slices: samples, or surfaces between them and the next slice behind. That of a projection draws
+/// a whole picture, corners of which are attribute 0; `opaqueDepths`: a texture says where rays end.
+VolumeProgram volumeProgram(const StyledVolume& volume, bool opaqueDepths);
 
 } // namespace vo

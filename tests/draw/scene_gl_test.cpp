@@ -362,4 +362,104 @@ TEST_P(SceneDrawing, everyStyleIsThatOfTheReference)
             compare(turnedScene(chain, perspective), name + (perspective ? ", perspective" : ""));
 }
 
+// ---- Volumes that are more than samples with a chain
+
+/// Numbers 0 to 3 in the quarters of the box, in the second component.
+TexturePointer quarters()
+{
+    return bytes({6, 6, 4}, 2, [](glm::dvec3 place, int c) {
+        return c == 0 ? 0.5 : ((place.x > 0.5) + 2 * (place.y > 0.5)) / 255.0;
+    });
+}
+
+TEST_P(SceneDrawing, segmentsHaveTheirChains)
+{
+    StyledScene scene = turnedScene({});
+    StyledVolume& volume = scene.volumes[0];
+    volume.chains.push_back({styleWithReference(ToneMapped{})});
+    volume.chains.push_back({styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr})});
+    volume.segments = Segments{quarters(), 1, 255.0f, {1, -1, 0}, 2};
+    compare(scene, "segments");
+}
+
+TEST_P(SceneDrawing, surfacesLieWhereValuesCross)
+{
+    Shaded shading;
+    shading.lighting = true;
+    shading.hasMaterial = true;
+    shading.diffuse = {0.2f, 0.7f, 0.9f};
+    Shaded other = shading;
+    other.diffuse = {0.9f, 0.7f, 0.1f};
+    other.transparency = 0.3f;
+    OpacityMap map;
+    map.transferFunction = bytes({2, 1, 1}, 4, [](glm::dvec3, int c) { return c == 3 ? 0.6 : 0.8; });
+    const auto clear = styleWithReference(map);
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = turnedScene({}, perspective);
+        IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
+        surfaces.values = {0.2f, 0.3f, 0.55f};
+        surfaces.chains = {{clear, styleWithReference(shading)}, {clear, styleWithReference(other)}};
+        surfaces.surfaceTolerance = 0.01f;
+        scene.volumes[0].clipPlanes = {{1.0, 0.2, 0.1, 0.4}};
+        compare(scene, perspective ? "surfaces of values, perspective" : "surfaces of values");
+        scene.surfaces = {sphere({0.2, 0.1, 0.1}, 0.5)};
+        compare(scene, perspective ? "surfaces and sphere, perspective" : "surfaces and sphere");
+    }
+    StyledScene scene = turnedScene({});
+    IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
+    surfaces.values = {0.3f};
+    surfaces.chains = {{clear, styleWithReference(shading)}};
+    surfaces.gradients = bytes(
+        {8, 8, 8}, 3, [](glm::dvec3 place, int c) { return 0.5 + 0.5 * glm::normalize(place - 0.48)[c]; });
+    compare(scene, "surfaces with given normals");
+}
+
+TEST_P(SceneDrawing, projectionsJoinWholeRays)
+{
+    const auto silhouette = styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr});
+    using Type = RayProjection::Type;
+    for (const auto& [type, name] :
+         {std::pair(Type::max, "max"), std::pair(Type::min, "min"), std::pair(Type::average, "average")})
+        for (const float threshold : {0.0f, 0.35f})
+            for (const int components : {1, 4}) {
+                StyledScene scene = turnedScene({}, threshold > 0.0f, components);
+                if (components == 4) scene.volumes[0].chains = {{silhouette}};
+                scene.volumes[0].projection = RayProjection{type, threshold};
+                compare(scene, name + std::to_string(components) + std::to_string(threshold));
+            }
+}
+
+TEST_P(SceneDrawing, projectionsEndAtOpaqueSurfaces)
+{
+    StyledScene scene = turnedScene({}, true, 4);
+    scene.volumes[0].projection = RayProjection{};
+    scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
+    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, 1.2, {1, 0, 0}, 0.4f)};
+    compare(scene, "projection, sphere and pane");
+}
+
+/// Two tetrahedra on a common face, the second with other places than a box would have.
+std::shared_ptr<StyledTetras> tetras()
+{
+    StyledTetras made;
+    made.positions = {
+        {-1, -0.9f, -0.8f}, {1, -0.8f, -0.6f}, {0, 0.9f, -0.7f}, {0, 0, 0.9f}, {0.1f, -0.2f, -1.6f}};
+    for (const glm::vec3& position : made.positions)
+        made.places.push_back(0.5f * position + 0.5f);
+    made.places[4] = {0.7f, 0.3f, 0.2f};
+    made.indices = {0, 1, 2, 3, 0, 2, 1, 4};
+    return std::make_shared<StyledTetras>(made);
+}
+
+TEST_P(SceneDrawing, tetrahedraHavePlacesOfTheirOwn)
+{
+    Shaded shading;
+    shading.lighting = true;
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = turnedScene({styleWithReference(shading)}, perspective);
+        scene.volumes[0].tetras = tetras();
+        compare(scene, perspective ? "tetrahedra, perspective" : "tetrahedra");
+    }
+}
+
 } // namespace
