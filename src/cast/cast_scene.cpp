@@ -1,5 +1,6 @@
 #include "cast/cast_scene.h"
 
+#include "cast/scene_points.h"
 #include "cast/scene_surfaces.h"
 #include "cast/sky.h"
 #include "cast/styled_rays.h"
@@ -53,8 +54,8 @@ class TileCaster
 {
 public:
     TileCaster(const StyledScene& scene, const SceneRays& rays, const CastSurfaces& surfaces,
-               const std::vector<CastVolume>& volumes)
-        : scene_(scene), rays_(rays), surfaces_(surfaces)
+               const CastPoints& points, const std::vector<CastVolume>& volumes)
+        : scene_(scene), rays_(rays), surfaces_(surfaces), points_(points)
     {
         streams_.reserve(volumes.size());
         for (const CastVolume& volume : volumes)
@@ -64,6 +65,7 @@ public:
     void cast(const PictureTile& tile, ScenePicture& picture)
     {
         surfaces_.draw(tile, surfaceTile_);
+        points_.draw(tile, nearestPoints_);
         for (Stream& stream : streams_)
             if (stream.volume->tetras) stream.volume->tetras->spansOf(tile, rays_, stream.tetras);
         std::size_t index = 0;
@@ -76,8 +78,10 @@ private:
     Pixel castPixel(int x, int y, std::size_t index)
     {
         const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
-        const SurfaceFragment& opaque = surfaceTile_.opaque(index);
+        const SurfaceFragment& opaque = opaqueAt(index);
         fragments_ = surfaceTile_.translucent(index);
+        while (!fragments_.empty() && fragments_.back().depth >= opaque.depth)
+            fragments_ = fragments_.first(fragments_.size() - 1);
         const double end = firstOpaque(opaque.depth);
         active_.clear();
         for (Stream& stream : streams_) {
@@ -95,6 +99,13 @@ private:
         pixel.color += glm::vec3(behind) * pixel.through;
         pixel.through *= 1.0f - behind.a;
         return pixel;
+    }
+
+    const SurfaceFragment& opaqueAt(std::size_t pixel) const
+    {
+        const SurfaceFragment& surface = surfaceTile_.opaque(pixel);
+        if (nearestPoints_.empty() || nearestPoints_[pixel].depth >= surface.depth) return surface;
+        return nearestPoints_[pixel];
     }
 
     /// Where no more is seen: at the opaque surface, or at one that is opaque here.
@@ -167,7 +178,9 @@ private:
     const StyledScene& scene_;
     const SceneRays& rays_;
     const CastSurfaces& surfaces_;
+    const CastPoints& points_;
     SurfaceTile surfaceTile_;
+    std::vector<SurfaceFragment> nearestPoints_;
     std::span<const SurfaceFragment> fragments_; ///< of the pixel, what is left
     std::vector<Stream> streams_;
     std::vector<Stream*> active_;
@@ -228,9 +241,11 @@ void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& pict
     if (!rays) return;
     const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, threads);
     const CastSurfaces surfaces(scene, *rays, kTileEdge);
+    const CastPoints points(scene, *rays, kTileEdge, threads);
     const std::vector<PictureTile> tiles = tilesOf(scene.width, scene.height);
-    parallelFor(tiles.size(), threads,
-                [&](std::size_t i) { TileCaster(scene, *rays, surfaces, volumes).cast(tiles[i], picture); });
+    parallelFor(tiles.size(), threads, [&](std::size_t i) {
+        TileCaster(scene, *rays, surfaces, points, volumes).cast(tiles[i], picture);
+    });
 }
 
 void castScene(const StyledScene& scene, int threads, ScenePicture& picture)

@@ -59,6 +59,9 @@ struct StippleFactors
     float gradientThreshold = 0.4f;
     float gradientRetainedOpacity = 1.0f, gradientBoundaryOpacity = 0.0f, gradientOpacityFactor = 1.0f;
     float silhouetteRetainedOpacity = 1.0f, silhouetteBoundaryOpacity = 0.0f, silhouetteOpacityFactor = 1.0f;
+    /// Dnear + d0: from the eye to the volume's centre, along the view, when the scene began; 0: as it is
+    /// now.
+    float originalDistance = 0.0f;
     std::shared_ptr<const VoxelTexture> surfaceNormals;
 };
 

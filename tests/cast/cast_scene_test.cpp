@@ -317,6 +317,23 @@ TEST(castSurfaces, nonsenseIsLeftOut)
     }
 }
 
+TEST(castPoints, stipplesAreOpaquePixelsBySurfaces)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(constantTexture(0.25f, 1.0f)));
+    scene.volumes[0].stipple.emplace();
+    scene.volumes[0].stipple->interiorFactor = 0.0f;
+    ScenePicture picture = castOf(scene);
+    EXPECT_EQ(middleOf(picture), glm::vec4(0.25f, 0.25f, 0.25f, 1.0f));
+    EXPECT_GE(middleDepth(picture), 16.0f);
+    EXPECT_LT(middleDepth(picture), 17.0f);
+    EXPECT_EQ(pixelOf(picture, 0, 0), glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
+    scene.surfaces = {squareOf(5.0, 0.5f), squareOf(0.0, 0.0f)};
+    EXPECT_EQ(middleOf(castOf(scene)), glm::vec4(0.125f, 0.125f, 0.625f, 1.0f));
+    scene.surfaces[1] = squareOf(4.5, 0.0f);
+    EXPECT_EQ(middleOf(castOf(scene)), glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
+}
+
 TEST(castScene, nonsenseIsLeftOut)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
