@@ -1,69 +1,22 @@
-// vox3d: scenes of X3D, checked and written.
+// vox3d: scenes of X3D, and volumes in scenes: shown, drawn into pictures, checked and written.
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include <vo/Error.h>
-#include <vo/x3d/Scene.h>
+#include <vo/x3d/View.h>
 
 #include "utility.h"
 #include "volume_io/file_beside.h"
+#include "vox3d_options.h"
+#include "vox3d_pictures.h"
+#include "vox3d_volume.h"
+#include "vox3d_window.h"
 
 namespace {
 
-constexpr const char* kHelp =
-    R"(vox3d [-allow FOLDER]... SCENE -check
-vox3d [-allow FOLDER]... SCENE -save OUT
-
-Reads a scene of X3D with volumes, in XML (.x3d) or ClassicVRML (.x3dv),
-compressed by gzip or not. Drawing does not exist yet. Files that the scene
-names are read in and below its own folder; nothing is fetched from a network.
-
-  -check         list what is unsupported or wrong, with its file and line
-  -save OUT      write what was read: ClassicVRML where OUT ends with .x3dv,
-                 XML otherwise
-  -allow FOLDER  let the scene name files in and below this folder, too
-  -help          print this text
-  -version       print the version
-
-Example:
-    vox3d head.x3d -check
-    vox3d head.x3dv -save head.x3d
-)";
-
-struct Options
-{
-    std::string scene, save;
-    std::vector<std::string> allowed;
-    bool check = false;
-};
-
-vo::Result<Options> parse(const std::vector<std::string>& words)
-{
-    Options options;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string& word = words[i];
-        if (word == "-check") {
-            options.check = true;
-        } else if (word == "-save" || word == "-allow") {
-            if (++i == words.size()) return vo::Failure{"expected a name behind " + word + ", found the end"};
-            word == "-save" ? void(options.save = words[i]) : options.allowed.push_back(words[i]);
-        } else if (word.starts_with('-') && word.size() > 1) {
-            return vo::Failure{"expected -check, -save or -allow, found the option \"" + word +
-                               "\"; drawing does not exist yet"};
-        } else if (!options.scene.empty()) {
-            return vo::Failure{"expected one scene, found \"" + options.scene + "\" and \"" + word + "\""};
-        } else {
-            options.scene = word;
-        }
-    }
-    if (options.scene.empty())
-        return vo::Failure{"expected a scene, found none; vox3d -help shows an example"};
-    if (!options.check && options.save.empty())
-        return vo::Failure{options.scene + ": drawing does not exist yet: expected -check or -save OUT"};
-    return options;
-}
+constexpr const char* kProgram = "vox3d";
 
 std::string counted(int number, const char* what)
 {
@@ -80,16 +33,16 @@ std::string problemsOf(const voX3DScene& scene)
            (left > 0 ? " and " + std::to_string(left) + " more" : "");
 }
 
-void printMessages(const voX3DScene& scene, FILE* stream)
+void printMessages(const voX3DScene& scene, int from, FILE* stream)
 {
-    for (int i = 0; i < scene.getMessageCount(); ++i)
+    for (int i = from; i < scene.getMessageCount(); ++i)
         std::fprintf(stream, "%s\n", scene.getMessage(i));
 }
 
 vo::Result<void> check(voX3DScene& scene, const std::string& path)
 {
     scene.check();
-    printMessages(scene, stdout);
+    printMessages(scene, 0, stdout);
     if (scene.getMessageCount() > 0) return vo::Failure{path + ": " + problemsOf(scene)};
     std::printf("%s: nothing is unsupported or wrong\n", path.c_str());
     return {};
@@ -109,12 +62,13 @@ vo::Result<void> checkOutput(const std::string& scene, const std::string& output
     return {};
 }
 
-vo::Result<void> save(const voX3DScene& scene, const Options& options)
+vo::Result<void> save(voX3DScene& scene, const vo::Vox3dOptions& options)
 {
-    if (!options.check) printMessages(scene, stderr);
+    if (!options.check && options.output.empty()) printMessages(scene, 0, stderr);
     if (scene.getErrorCount() > 0)
-        return vo::Failure{options.save + ": not written: " + problemsOf(scene) + " in " + options.scene};
-    if (auto may = checkOutput(options.scene, options.save); !may) return may;
+        return vo::Failure{options.save + ": not written: " + problemsOf(scene) + " in " + options.input};
+    if (auto may = checkOutput(options.input, options.save); !may) return may;
+    if (!vo::isScene(options.input)) vo::makeUrlsRelative(scene, options.save);
     auto file = vo::FileBeside::create(options.save);
     if (!file) return file.failure();
     const bool isClassic = options.save.ends_with(".x3dv");
@@ -123,23 +77,64 @@ vo::Result<void> save(const voX3DScene& scene, const Options& options)
     return file->commit();
 }
 
-vo::Result<void> run(const std::vector<std::string>& arguments)
+/// The scene that is named, or one of the volume that is.
+vo::Result<void> openScene(voX3DScene& scene, const vo::Vox3dOptions& options)
 {
-    const auto options = parse(arguments);
-    if (!options) return options.failure();
-    voX3DScene scene;
-    for (const std::string& folder : options->allowed) {
+    for (const std::string& folder : options.allowed) {
         std::error_code none;
         if (!std::filesystem::is_directory(folder, none))
             return vo::Failure{folder + ": expected a folder behind -allow, found none"};
         scene.allowFolder(folder.c_str());
     }
-    if (!scene.read(options->scene.c_str())) {
-        printMessages(scene, options->check ? stdout : stderr);
-        return vo::Failure{options->scene + ": expected a scene, found none that can be read"};
+    if (!vo::isScene(options.input)) return vo::makeVolumeScene(scene, options);
+    if (!options.ofVolumes.empty())
+        return vo::Failure{"option " + options.ofVolumes + ": expected a volume, found the scene " +
+                           options.input};
+    if (scene.read(options.input.c_str())) return {};
+    printMessages(scene, 0, options.check ? stdout : stderr);
+    return vo::Failure{options.input + ": expected a scene, found none that can be read"};
+}
+
+/// Pictures, or a window; where there is no display, a picture all the same.
+vo::Result<void> show(voX3DScene& scene, vo::Vox3dOptions options)
+{
+    voX3DView view(scene);
+    view.setSize(options.width, options.height);
+    if (!options.viewpoint.empty() && !view.setViewpoint(options.viewpoint.c_str()))
+        return vo::Failure{"option -viewpoint: " + std::string(voError::getErrorString())};
+    view.setTime(options.time);
+    if (options.output.empty()) {
+        std::string whyNot;
+        const auto shown = vo::showInWindow(scene, view, options, whyNot);
+        if (!shown) return shown.failure();
+        if (*shown) return {};
+        options.output = "vox3d.png";
+        vo::warn(kProgram, "no window (" + whyNot + "); drawing without one into " + options.output);
     }
+    return vo::writePictures(view, options);
+}
+
+/// What is wrong is left out of the picture; the program ends with 1 all the same.
+vo::Result<void> showWithMessages(voX3DScene& scene, const vo::Vox3dOptions& options)
+{
+    auto shown = show(scene, options);
+    printMessages(scene, 0, stderr);
+    if (!shown || scene.getErrorCount() == 0) return shown;
+    return vo::Failure{options.input + ": drawn without what is wrong: " + problemsOf(scene)};
+}
+
+vo::Result<void> run(const std::vector<std::string>& arguments)
+{
+    const auto options = vo::parseVox3dOptions(arguments);
+    if (!options) return options.failure();
+    if (!options->output.empty())
+        if (auto named = vo::checkPictureNames(*options); !named) return named;
+    voX3DScene scene;
+    if (auto opened = openScene(scene, *options); !opened) return opened;
     vo::Result<void> checked;
-    if (options->check) checked = check(scene, options->scene);
+    if (options->check) checked = check(scene, options->input);
+    const bool isShown = !options->output.empty() || (!options->check && options->save.empty());
+    if (isShown && checked) checked = showWithMessages(scene, *options);
     if (!options->save.empty())
         if (auto saved = save(scene, *options); !saved) return saved;
     return checked;
@@ -149,5 +144,6 @@ vo::Result<void> run(const std::vector<std::string>& arguments)
 
 int main(int argc, char** argv)
 {
-    return vo::runUtility({"vox3d", kHelp, run}, argc, argv);
+    const std::string help = vo::vox3dHelp();
+    return vo::runUtility({kProgram, help.c_str(), run}, argc, argv);
 }

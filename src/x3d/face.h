@@ -10,7 +10,8 @@
 
 struct voX3DScene::Private
 {
-    std::unique_ptr<vo::Scene> scene = std::make_unique<vo::Scene>();
+    /// Views hold it, too, until they notice that another was read.
+    std::shared_ptr<vo::Scene> scene = std::make_shared<vo::Scene>();
     /// By the caller, for all files that are read.
     vo::SceneFolders allowed;
     /// What a call last made for the caller to read.

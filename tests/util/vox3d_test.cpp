@@ -1,5 +1,8 @@
 // The program vox3d: what it prints, its exit status, and what it writes.
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -7,6 +10,7 @@
 
 #include "run_program.h"
 #include "scratch_folder.h"
+#include "volume_io/volume_io.h"
 
 namespace vo {
 namespace {
@@ -89,16 +93,212 @@ TEST_F(Vox3d, allowLetsFilesIn)
     EXPECT_EQ(vox3d("-check -allow " + (folder / "absent") + " " + top).status, 1);
 }
 
-TEST_F(Vox3d, drawingIsAnsweredWithOneLine)
+/// A cube of 2 x 2 x 2 voxels of one colour, with this opacity of a voxel, seen in the middle half of a
+/// picture.
+std::string cube(const std::string& rgba)
 {
-    const std::string good = scene("good.x3d", "<Group/>");
-    const ProgramRun draw = vox3d(good);
-    EXPECT_EQ(draw.status, 1);
-    EXPECT_EQ(draw.output, "vox3d: " + good + ": drawing does not exist yet: expected -check or -save OUT\n");
-    EXPECT_EQ(vox3d(good + " -output a.png").status, 1);
-    EXPECT_EQ(vox3d("").status, 1);
-    EXPECT_EQ(vox3d("-save").status, 1);
+    return "<OrthoViewpoint DEF='Front' description='The front' position='0 0 5' fieldOfView='-2 -2 2 2'/>"
+           "<OrthoViewpoint DEF='Near' position='0 0 5' fieldOfView='-1 -1 1 1'/>"
+           "<Transform DEF='T'><VolumeData dimensions='2 2 2'>"
+           "<PixelTexture3D containerField='voxels' image='1 2 2 2 128 128 128 128 128 128 128 128'/>"
+           "<OpacityMapVolumeStyle><PixelTexture containerField='transferFunction' image='1 1 4 " +
+           rgba + "'/></OpacityMapVolumeStyle></VolumeData></Transform>";
+}
+
+std::array<int, 3> pixel(const Picture& picture, int x, int y)
+{
+    const auto at =
+        static_cast<std::size_t>(picture.channels) *
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
+    return {picture.bytes[at], picture.bytes[at + 1], picture.bytes[at + 2]};
+}
+
+class Vox3dPicture : public Vox3d
+{
+protected:
+    Picture picture(const std::string& name)
+    {
+        const auto read = readPng(folder / name);
+        EXPECT_TRUE(read) << name;
+        return read ? *read : Picture();
+    }
+    /// A ball in a volume of values from 0 to 200.
+    std::string ball()
+    {
+        const VolumeInfo info{{24, 20, 16}, 1, ChannelType::uint8};
+        std::vector<std::byte> voxels;
+        for (int z = 0; z < 16; ++z)
+            for (int y = 0; y < 20; ++y)
+                for (int x = 0; x < 24; ++x) {
+                    const double away = std::hypot(x - 11.5, y - 9.5, z - 7.5);
+                    voxels.push_back(static_cast<std::byte>(std::clamp(200 - 40 * (away - 4), 0.0, 200.0)));
+                }
+        EXPECT_TRUE(writeTiffStack(folder / "ball.tif", info, voxels));
+        return folder / "ball.tif";
+    }
+};
+
+TEST_F(Vox3dPicture, aCubeHasTheOpacityOfItsLength)
+{
+    // Two voxels deep: 1 - (1 - 128/255)^2 of red, nothing beside it.
+    const std::string path = scene("cube.x3d", cube("0xff000080"));
+    const ProgramRun run = vox3d(path + " -size 32 32 -output " + (folder / "cube.png"));
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_EQ(run.output, "");
+    const Picture seen = picture("cube.png");
+    ASSERT_EQ(seen.width, 32);
+    EXPECT_EQ(pixel(seen, 16, 16), (std::array{192, 0, 0}));
+    EXPECT_EQ(pixel(seen, 9, 22), (std::array{192, 0, 0}));
+    EXPECT_EQ(pixel(seen, 6, 16), (std::array{0, 0, 0}));
+    EXPECT_EQ(vox3d(path + " -viewpoint Near -size 40 20 -output " + (folder / "near.png")).status, 0);
+    EXPECT_EQ(pixel(picture("near.png"), 11, 1), (std::array{192, 0, 0})) << "the smaller side sees all";
+    EXPECT_EQ(pixel(picture("near.png"), 8, 10), (std::array{0, 0, 0}));
+    for (const char* name : {"Front", "'The front'", "1"})
+        EXPECT_EQ(vox3d(path + " -size 32 32 -viewpoint " + name + " -output " + (folder / "f.png")).status,
+                  0);
+    EXPECT_EQ(read(folder / "f.png"), read(folder / "cube.png"));
+}
+
+TEST_F(Vox3dPicture, framesGoOverTheCycleOfTheTimeSensors)
+{
+    const std::string moved =
+        cube("0xffffffff") +
+        "<TimeSensor DEF='C' cycleInterval='4' loop='true'/>"
+        "<PositionInterpolator DEF='P' key='0 1' keyValue='0 0 0 4 0 0'/>"
+        "<ROUTE fromNode='C' fromField='fraction_changed' toNode='P' toField='set_fraction'/>"
+        "<ROUTE fromNode='P' fromField='value_changed' toNode='T' toField='translation'/>";
+    const std::string path = scene("moved.x3d", moved);
+    ASSERT_EQ(vox3d(path + " -size 32 32 -frames 4 -output " + (folder / "f%02d.png")).output, "");
+    // The cube's left edge goes from pixel 8 by 8 pixels a frame.
+    for (int frame = 0; frame < 4; ++frame) {
+        const Picture seen = picture("f0" + std::to_string(frame) + ".png");
+        for (int x = 0; x < 32; ++x)
+            EXPECT_EQ(pixel(seen, x, 16)[0], x >= 8 + 8 * frame && x < 24 + 8 * frame ? 255 : 0)
+                << frame << x;
+    }
+    EXPECT_EQ(vox3d(path + " -size 32 32 -time 2 -output " + (folder / "time.png")).status, 0);
+    EXPECT_EQ(read(folder / "time.png"), read(folder / "f02.png"));
+}
+
+TEST_F(Vox3dPicture, withoutTimeSensorsFramesTurn)
+{
+    // A bar along x before the middle is seen at its end after a quarter.
+    const std::string bar = "<OrthoViewpoint position='0 0 9' fieldOfView='-4 -4 4 4'/><NavigationInfo/>"
+                            "<VolumeData dimensions='6 2 2'><PixelTexture3D containerField='voxels' "
+                            "image='1 3 1 1 255 255 255'/></VolumeData>";
+    const std::string path = scene("bar.x3d", bar);
+    ASSERT_EQ(vox3d(path + " -size 32 32 -frames 4 -output " + (folder / "t%d.png")).output, "");
+    const auto width = [&](const std::string& name) {
+        int count = 0;
+        for (int x = 0; x < 32; ++x)
+            count += pixel(picture(name), x, 16)[0] > 0;
+        return count;
+    };
+    EXPECT_EQ(width("t0.png"), 24);
+    EXPECT_EQ(width("t1.png"), 8);
+    EXPECT_EQ(width("t2.png"), 24);
+}
+
+TEST_F(Vox3dPicture, warningsAreToldAndErrorsEndWithOne)
+{
+    const std::string odd = scene("odd.x3d", "<Teapot/>" + cube("0xff000080"));
+    const ProgramRun warned = vox3d(odd + " -size 8 8 -output " + (folder / "odd.png"));
+    EXPECT_EQ(warned.status, 0);
+    EXPECT_EQ(warned.output, odd + ":2: warning: unknown node \"Teapot\" skipped\n");
+    const std::string bad = scene("bad.x3d", cube("0xff000080") + "<Group bboxSize='1'/>");
+    const ProgramRun wrong = vox3d(bad + " -size 8 8 -output " + (folder / "bad.png"));
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.output.find("bad.x3d: drawn without what is wrong: 1 error, 0 warnings"),
+              std::string::npos)
+        << wrong.output;
+    EXPECT_EQ(read(folder / "bad.png"), read(folder / "odd.png"));
+}
+
+TEST_F(Vox3dPicture, aVolumeIsShownInEveryStyle)
+{
+    const std::string volume = ball();
+    for (const char* style : {"opacity", "boundary", "cartoon", "edge", "silhouette", "tone", "shaded", "iso",
+                              "projection", "stipple", "blended", "composed"}) {
+        const std::string arguments = volume + " -size 48 48 -style " + style;
+        const ProgramRun run =
+            vox3d(arguments + " -output " + (folder / "a.png") + " -save " + (folder / "saved.x3d"));
+        EXPECT_EQ(run.status, 0) << style << run.output;
+        EXPECT_EQ(run.output, "") << style;
+        const Picture seen = picture("a.png");
+        EXPECT_EQ(pixel(seen, 1, 1), (std::array{0, 0, 0})) << style;
+        int drawn = 0;
+        for (int i = 0; i < 48 * 48; ++i)
+            drawn += pixel(seen, i % 48, i / 48) != std::array{0, 0, 0};
+        EXPECT_GT(drawn, 150) << style;
+        const ProgramRun again = vox3d((folder / "saved.x3d") + " -size 48 48 -output " + (folder / "b.png"));
+        EXPECT_EQ(again.status, 0) << style << again.output;
+        EXPECT_EQ(read(folder / "b.png"), read(folder / "a.png")) << style;
+    }
+    EXPECT_NE(read(folder / "saved.x3d").find("\"ball.tif\""), std::string::npos) << "relative to the scene";
+}
+
+TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
+{
+    const std::string volume = ball();
+    const VolumeInfo info{{24, 20, 16}, 1, ChannelType::uint8};
+    std::vector<std::byte> labels(24 * 20 * 16, std::byte{0});
+    EXPECT_TRUE(writeTiffStack(folder / "none.tif", info, labels));
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        labels[i] = std::byte(i % 24 < 12 ? 1 : 2);
+    EXPECT_TRUE(writeTiffStack(folder / "halves.tif", info, labels));
+    EXPECT_EQ(vox3d(volume + " -style cartoon -size 32 32 -labels " + (folder / "none.tif") + " -output " +
+                    (folder / "none.png"))
+                  .output,
+              "");
+    const Picture none = picture("none.png");
+    for (int i = 0; i < 32 * 32; ++i)
+        ASSERT_EQ(pixel(none, i % 32, i / 32), (std::array{0, 0, 0}));
+    EXPECT_EQ(vox3d(volume + " -size 32 32 -labels " + (folder / "halves.tif") + " -output " +
+                    (folder / "halves.png"))
+                  .status,
+              0);
+    const auto left = pixel(picture("halves.png"), 13, 16), right = pixel(picture("halves.png"), 19, 16);
+    EXPECT_NE(left, right);
+    EXPECT_GT(left[0] + left[1] + left[2], 0);
+    const ProgramRun wrong =
+        vox3d(volume + " -labels " + VOLUMIZER_SOURCE_DIR "/data/volumes/brain-maps.tif -output " +
+              (folder / "no.png"));
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.output.find("expected 24 x 20 x 16 voxels as in " + volume), std::string::npos)
+        << wrong.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
+}
+
+TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
+{
+    const std::string good = scene("good.x3d", cube("0xff000080"));
+    const std::string out = " -output " + (folder / "out.png");
+    const auto refused = [&](const std::string& arguments, const std::string& text) {
+        const ProgramRun run = vox3d(arguments);
+        EXPECT_EQ(run.status, 1) << arguments;
+        EXPECT_NE(run.output.find(text), std::string::npos) << arguments << ": " << run.output;
+        EXPECT_EQ(std::ranges::count(run.output, '\n'), 1) << run.output;
+    };
+    refused("", "expected a scene or a volume, found none");
+    refused(good + " -teapot", "expected an option that vox3d -help lists, found \"-teapot\"");
+    refused(good + " -size 0 5" + out, "option -size: expected a width from 1 to 32768, found \"0\"");
+    refused(good + " -size 10 5.5" + out, "option -size: expected a height from 1 to 32768, found \"5.5\"");
+    refused(good + " -size 10", "option -size: expected a height from 1 to 32768, found the end");
+    refused(good + " -output a.jpg", "option -output: expected a file name that ends in .png");
+    refused(good + " -viewpoint Back" + out, "the scene has no viewpoint \"Back\"");
+    refused(good + " -frames 3", "option -frames: expected -output FILE.png beside it");
+    refused(good + " -frames 3 -output f%s.png", "expected a name with a %d");
+    refused(good + " -engine ray" + out, "option -engine: expected slices or cast, found \"ray\"");
+    refused(good + " -style cartoon" + out, "option -style: expected a volume, found the scene");
+    refused(good + " -style teapot" + out, "option -style: expected a style (opacity, boundary");
+    refused(good + " " + good, "expected one scene or volume");
+    refused(good + " -output " + (folder / "absent/out.png"), "absent");
+    refused((folder / "absent.tif") + out, "absent.tif");
+    refused(write("text.txt", "nothing") + out, "text.txt");
+    EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
     EXPECT_EQ(vox3d("--help").status, 0);
+    EXPECT_NE(vox3d("-help").output.find("vox3d head.nii -style cartoon -output head.png"),
+              std::string::npos);
 }
 
 } // namespace

@@ -95,6 +95,13 @@ void OffscreenContext::bindFramebuffer() const
     gl_.Viewport(0, 0, width_, height_);
 }
 
+void OffscreenContext::clear() const
+{
+    bindFramebuffer();
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
 std::vector<unsigned char> OffscreenContext::readBytes() const
 {
     std::vector<unsigned char> pixels(std::size_t(width_) * std::size_t(height_) * 4);

@@ -53,6 +53,8 @@ public:
     /// The framebuffer object; bound and covered by the viewport after openOffscreen.
     GLuint framebuffer() const { return framebuffer_; }
     void bindFramebuffer() const;
+    /// Makes it transparent black, and as deep as can be.
+    void clear() const;
     int width() const { return width_; }
     int height() const { return height_; }
 

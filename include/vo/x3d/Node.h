@@ -133,6 +133,8 @@ public:
 
 private:
     friend class voX3DScene;
+    friend class voX3DView;
+    friend class voX3DStyledVolume;
     voX3DNode(voX3DScene *scene, void *node);
     voX3DScene *scene_;
     void *node_;

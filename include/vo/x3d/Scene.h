@@ -68,6 +68,8 @@ public:
 
 private:
     friend class voX3DNode;
+    friend class voX3DView;
+    friend class voX3DStyledVolume;
     voX3DScene(const voX3DScene &);
     voX3DScene &operator=(const voX3DScene &);
     voX3DNode handle(void *node) const;

@@ -1,0 +1,358 @@
+#include "cast/pick_scene.h"
+
+#include "cast/scene_rays.h"
+#include "core/invertible.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace vo {
+
+namespace {
+
+constexpr double kMostSamples = 1 << 20;
+constexpr float kLeastGradient = 1e-6f;
+
+/// Part of a ray inside of one cell of a volume: its box, or a tetrahedron.
+struct CellSpan
+{
+    DepthRange depths;
+    DepthRay place;
+    glm::dmat3 placeFromPosition{1.0}; ///< the linear part
+    glm::vec3 normal{0.0f};            ///< of the face it enters through, outwards
+};
+
+/// Keeps the part of a ray with value + slope * depth not negative; notes the face where it begins there.
+void cutAtFace(CellSpan& span, double value, double slope, const glm::dvec3& outwards)
+{
+    const double before = span.depths.begin;
+    span.depths.cut(value, slope);
+    if (span.depths.begin > before) span.normal = glm::vec3(glm::normalize(outwards));
+}
+
+/// The ray's plane distance as a number that is linear in depth.
+void cutAtPlane(CellSpan& span, const DepthRay& ray, const glm::dvec4& plane)
+{
+    const glm::dvec3 normal(plane);
+    cutAtFace(span, glm::dot(normal, ray.origin) + plane.w, glm::dot(normal, ray.direction), -normal);
+}
+
+CellSpan boxSpan(const StyledVolume& volume, const DepthRay& local, DepthRange depths)
+{
+    const glm::dvec3 size(volume.dimensions);
+    CellSpan span{depths, {local.origin / size + 0.5, local.direction / size}, glm::dmat3(1.0), {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        span.placeFromPosition[axis] /= size[axis];
+        glm::dvec4 plane(0.0, 0.0, 0.0, size[axis] / 2);
+        plane[axis] = 1;
+        cutAtPlane(span, local, plane);
+        plane[axis] = -1;
+        cutAtPlane(span, local, plane);
+    }
+    return span;
+}
+
+/// Nothing for tetrahedra without a volume.
+std::optional<CellSpan> tetraSpan(const StyledTetras& tetras, std::size_t tetra, const DepthRay& local,
+                                  DepthRange depths)
+{
+    std::array<glm::dvec3, 4> p, q;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto vertex = static_cast<std::size_t>(tetras.indices[4 * tetra + i]);
+        p[i] = tetras.positions.at(vertex);
+        q[i] = tetras.places.at(vertex);
+    }
+    const glm::dmat3 edges(p[1] - p[0], p[2] - p[0], p[3] - p[0]);
+    if (!(std::abs(glm::determinant(edges)) > 0)) return {};
+    const glm::dmat3 parts = glm::inverse(edges);
+    const glm::dmat3 map = glm::dmat3(q[1] - q[0], q[2] - q[0], q[3] - q[0]) * parts;
+    CellSpan span{depths, {q[0] + map * (local.origin - p[0]), map * local.direction}, map, {}};
+    const glm::dmat3 rows = glm::transpose(parts);
+    const glm::dvec3 sum = rows[0] + rows[1] + rows[2];
+    for (int face = 0; face < 4; ++face) {
+        const glm::dvec3 normal = face < 3 ? rows[face] : -sum;
+        const double rest = face < 3 ? 0.0 : 1.0;
+        cutAtPlane(span, local, {normal, rest - glm::dot(normal, p[0])});
+    }
+    return span;
+}
+
+/// What the ray crosses of a volume, the nearest first.
+std::vector<CellSpan> spansOf(const StyledVolume& volume, const DepthRay& world, const DepthRay& local,
+                              DepthRange depths)
+{
+    std::vector<CellSpan> spans;
+    const auto add = [&](CellSpan span) {
+        const glm::dmat3 localFromWorld = glm::inverse(glm::dmat3(volume.worldFromLocal));
+        for (const glm::dvec4& plane : volume.clipPlanes) {
+            const DepthRange before = span.depths;
+            span.depths.cut(glm::dot(glm::dvec3(plane), world.origin) + plane.w,
+                            glm::dot(glm::dvec3(plane), world.direction));
+            if (span.depths.begin > before.begin)
+                span.normal = glm::vec3(glm::normalize(localFromWorld * -glm::dvec3(plane)));
+        }
+        if (!span.depths.empty()) spans.push_back(span);
+    };
+    if (!volume.tetras) {
+        add(boxSpan(volume, local, depths));
+        return spans;
+    }
+    for (std::size_t tetra = 0; 4 * tetra + 3 < volume.tetras->indices.size(); ++tetra)
+        if (const auto span = tetraSpan(*volume.tetras, tetra, local, depths)) add(*span);
+    std::ranges::sort(spans, {}, [](const CellSpan& span) { return span.depths.begin; });
+    return spans;
+}
+
+float storedNumber(const VoxelTexture& texture, std::size_t index)
+{
+    const std::byte* const at = texture.texels.data() + index * bytesOf(texture.kind);
+    const auto read = [at](auto number) {
+        std::memcpy(&number, at, sizeof number);
+        return static_cast<float>(number);
+    };
+    switch (texture.kind) {
+    case TexelKind::uint8: return read(std::uint8_t()) / 255.0f;
+    case TexelKind::uint16: return read(std::uint16_t()) / 65535.0f;
+    case TexelKind::float32: break;
+    }
+    return read(0.0f);
+}
+
+/// Samples one volume at single places.
+class VolumeProbe
+{
+public:
+    VolumeProbe(const StyledVolume& volume, const DepthRay& local)
+        : volume_(volume), local_(local), view_(glm::normalize(-local.direction))
+    {
+    }
+
+    /// Sets the sample at a depth, its normal too.
+    void sample(const CellSpan& span, double depth)
+    {
+        const glm::dvec3 place = span.place.at(depth), position = local_.at(depth);
+        const VoxelSize& size = volume_.voxels->size;
+        const glm::dvec3 counts(size.x, size.y, size.z);
+        batch_.count = 7;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto a = static_cast<std::size_t>(axis);
+            batch_.place[a].fill(static_cast<float>(place[axis]));
+            batch_.place[a][std::size_t(1 + 2 * axis)] += static_cast<float>(1 / counts[axis]);
+            batch_.place[a][std::size_t(2 + 2 * axis)] -= static_cast<float>(1 / counts[axis]);
+            batch_.position[a].fill(static_cast<float>(position[axis]));
+            batch_.V[a].fill(static_cast<float>(view_[axis]));
+        }
+        sampleTexture(*volume_.voxels, batch_.count, batch_.place, batch_.voxel);
+        glm::dvec3 change;
+        for (int axis = 0; axis < 3; ++axis)
+            change[axis] =
+                double(brightness(std::size_t(1 + 2 * axis)) - brightness(std::size_t(2 + 2 * axis))) / 2;
+        setNormal(glm::transpose(span.placeFromPosition) * (change * counts) * volume_.unitLength);
+        batch_.count = 1;
+    }
+
+    float value() const { return batch_.voxel[0][0]; }
+    float gradient() const { return batch_.gradient[0]; }
+    glm::vec3 normal() const { return {batch_.n[0][0], batch_.n[1][0], batch_.n[2][0]}; }
+
+    /// Of the sample, after the styles of its segment.
+    float opacity()
+    {
+        const int chain = chainHere();
+        if (chain < 0 || static_cast<std::size_t>(chain) >= volume_.chains.size()) return 0;
+        firstColor(volume_.voxels->components, batch_);
+        for (const auto& style : volume_.chains[static_cast<std::size_t>(chain)])
+            style->apply(volume_.surroundings, batch_);
+        return batch_.Ov[0];
+    }
+
+private:
+    float brightness(std::size_t i) const
+    {
+        if (volume_.voxels->components < 3) return batch_.voxel[0][i];
+        return (batch_.voxel[0][i] + batch_.voxel[1][i] + batch_.voxel[2][i]) / 3;
+    }
+
+    void setNormal(const glm::dvec3& change)
+    {
+        const double length = glm::length(change);
+        batch_.gradient[0] = static_cast<float>(length);
+        for (int axis = 0; axis < 3; ++axis)
+            batch_.n[std::size_t(axis)][0] =
+                length < double(kLeastGradient) ? 0.0f : static_cast<float>(-change[axis] / length);
+    }
+
+    int chainHere() const
+    {
+        if (!volume_.segments) return 0;
+        const Segments& segments = *volume_.segments;
+        const VoxelTexture& ids = *segments.identifiers;
+        const std::array<int, 3> sizes{ids.size.x, ids.size.y, ids.size.z};
+        std::size_t texel = 0;
+        for (std::size_t axis = 3; axis-- > 0;) {
+            const double place = double(batch_.place[axis][0]) * sizes[axis];
+            const int at = std::clamp(static_cast<int>(std::floor(place)), 0, sizes[axis] - 1);
+            texel = texel * std::size_t(sizes[axis]) + std::size_t(at);
+        }
+        const float id = segments.scale * storedNumber(ids, texel * std::size_t(ids.components) +
+                                                                std::size_t(segments.component));
+        const auto number = static_cast<std::size_t>(std::max(std::lround(id), 0L));
+        return number < segments.chainOf.size() ? segments.chainOf[number] : segments.beyond;
+    }
+
+    const StyledVolume& volume_;
+    const DepthRay& local_;
+    glm::dvec3 view_;
+    SampleBatch batch_{};
+};
+
+/// Looks for the nearest thing on one ray.
+class ScenePicker
+{
+public:
+    ScenePicker(const SceneRays& rays, double x, double y)
+        : eyeDepths_(rays.depths()), world_(transformed(rays.worldFromEye(), rays.ray(x, y)))
+    {
+        hit_.depth = eyeDepths_.end;
+    }
+
+    void look(const StyledSurface& surface)
+    {
+        if (!isInvertible(surface.worldFromLocal)) return;
+        const DepthRay local = transformed(glm::inverse(surface.worldFromLocal), world_);
+        for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3)
+            lookAtTriangle(surface, local, &surface.triangles[i]);
+    }
+
+    void look(const StyledVolume& volume, float threshold)
+    {
+        if (!volume.voxels || volume.voxels->texels.empty() || !isInvertible(volume.worldFromLocal)) return;
+        if (!(volume.spacing > 0) || !std::isfinite(volume.spacing)) return;
+        const DepthRay local = transformed(glm::inverse(volume.worldFromLocal), world_);
+        const auto spans = spansOf(volume, world_, local, {eyeDepths_.begin, hit_.depth});
+        if (spans.empty()) return;
+        if (threshold < 0) {
+            take(SceneHit::Kind::bounds, volume, local, spans.front(), spans.front().depths.begin,
+                 spans.front().normal, 1);
+            return;
+        }
+        VolumeProbe probe(volume, local);
+        for (const CellSpan& span : spans)
+            if (volume.surfaces ? lookForSurface(volume, local, span, probe)
+                                : lookForVoxel(volume, local, span, probe, threshold))
+                return;
+    }
+
+    SceneHit hit() const { return hit_.kind == SceneHit::Kind::nothing ? SceneHit() : hit_; }
+
+private:
+    void take(SceneHit::Kind kind, const StyledVolume& volume, const DepthRay& local, const CellSpan& span,
+              double depth, const glm::vec3& normal, float opacity)
+    {
+        hit_ = {kind,    volume.id, world_.at(depth), local.at(depth), span.place.at(depth), normal,
+                opacity, depth};
+    }
+
+    bool lookForVoxel(const StyledVolume& volume, const DepthRay& local, const CellSpan& span,
+                      VolumeProbe& probe, float threshold)
+    {
+        const double first = std::ceil(span.depths.begin / volume.spacing - 0.5);
+        const double last = std::floor(span.depths.end / volume.spacing - 0.5);
+        for (double k = first; k <= last && k - first < kMostSamples; ++k) {
+            const double depth = sampleDepth(volume.spacing, k);
+            probe.sample(span, depth);
+            const float opacity = probe.opacity();
+            if (!(opacity > threshold)) continue;
+            take(SceneHit::Kind::voxel, volume, local, span, depth, probe.normal(), opacity);
+            return true;
+        }
+        return false;
+    }
+
+    /// Where the value goes through one of the surfaces' on its way from sample to sample.
+    bool lookForSurface(const StyledVolume& volume, const DepthRay& local, const CellSpan& span,
+                        VolumeProbe& probe)
+    {
+        const double count =
+            std::min(std::ceil((span.depths.end - span.depths.begin) / volume.spacing), kMostSamples);
+        const double step = (span.depths.end - span.depths.begin) / std::max(count, 1.0);
+        probe.sample(span, span.depths.begin);
+        for (double k = 1; k <= count; ++k) {
+            const double before = span.depths.begin + (k - 1) * step;
+            const float from = probe.value();
+            probe.sample(span, before + step);
+            const float to = probe.value();
+            if (!crossed(*volume.surfaces, from, to)) continue;
+            const double depth =
+                before + step * double((*crossed(*volume.surfaces, from, to) - from) / (to - from));
+            probe.sample(span, depth);
+            if (probe.gradient() >= volume.surfaces->surfaceTolerance) {
+                const bool faces = glm::dot(glm::dvec3(probe.normal()), local.direction) <= 0;
+                take(SceneHit::Kind::surface, volume, local, span, depth,
+                     faces ? probe.normal() : -probe.normal(), 1);
+                return true;
+            }
+            probe.sample(span, before + step);
+        }
+        return false;
+    }
+
+    /// The value that is met first on the way.
+    static std::optional<float> crossed(const IsoSurfaces& surfaces, float from, float to)
+    {
+        std::optional<float> first;
+        for (const float value : surfaces.values) {
+            if ((from < value) == (to < value)) continue;
+            if (!first || std::abs(value - from) < std::abs(*first - from)) first = value;
+        }
+        return first;
+    }
+
+    void lookAtTriangle(const StyledSurface& surface, const DepthRay& local, const int* corners)
+    {
+        const auto corner = [&](int i) {
+            return glm::dvec3(surface.positions.at(static_cast<std::size_t>(corners[i])));
+        };
+        const glm::dvec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
+        const glm::dvec3 normal = glm::cross(ab, ac);
+        const double against = -glm::dot(local.direction, normal);
+        if (against == 0 || (surface.solid && against < 0)) return;
+        const glm::dvec3 from = local.origin - a;
+        const double depth = glm::dot(from, normal) / against;
+        if (!(depth >= eyeDepths_.begin && depth < hit_.depth)) return;
+        const glm::dvec3 turn = glm::cross(from, local.direction);
+        const double u = glm::dot(ac, turn) / against, v = -glm::dot(ab, turn) / against;
+        if (u < 0 || v < 0 || u + v > 1) return;
+        const glm::dvec3 world = world_.at(depth);
+        for (const glm::dvec4& plane : surface.clipPlanes)
+            if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0) return;
+        const glm::dvec3 unit = glm::normalize(against > 0 ? normal : -normal);
+        hit_ = {SceneHit::Kind::surface, surface.id, world, local.at(depth), {}, glm::vec3(unit), 1, depth};
+    }
+
+    DepthRange eyeDepths_;
+    DepthRay world_;
+    SceneHit hit_;
+};
+
+} // namespace
+
+SceneHit pickScene(const StyledScene& scene, double x, double y, float threshold)
+{
+    const auto rays = SceneRays::of(scene);
+    if (!rays) return {};
+    ScenePicker picker(*rays, x, y);
+    for (const StyledSurface& surface : scene.surfaces)
+        picker.look(surface);
+    for (const StyledVolume& volume : scene.volumes)
+        picker.look(volume, threshold);
+    return picker.hit();
+}
+
+} // namespace vo

@@ -1,0 +1,108 @@
+#include "draw/scene_screen.h"
+
+#include "core/environment.h"
+#include "draw/draw_scene.h"
+#include "draw/scene_programs.h"
+#include "draw/scene_state.h"
+#include "draw/scoped_state.h"
+
+#include <cstring>
+#include <stdexcept>
+
+namespace vo {
+
+namespace {
+
+/// One triangle over all of the viewport.
+constexpr const char* kVertexShader = R"(#version 330 core
+void main()
+{
+    gl_Position = vec4((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kFragmentShader = R"(#version 330 core
+uniform sampler2D picture;
+out vec4 color;
+void main()
+{
+    color = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+}
+)";
+
+} // namespace
+
+struct SceneScreen::Private
+{
+    SceneContext context;
+    ScenePrograms programs{context};
+    SceneDrawer drawer;
+    GLuint texture = 0, vertexArray = 0;
+
+    ~Private()
+    {
+        context.gl.DeleteTextures(1, &texture);
+        context.gl.DeleteVertexArrays(1, &vertexArray);
+    }
+
+    void send(const ScenePicture& picture)
+    {
+        const GladGLContext& gl = context.gl;
+        const ScopedUploadState upload(gl, context.core);
+        if (texture == 0) gl.GenTextures(1, &texture);
+        gl.BindTexture(GL_TEXTURE_2D, texture);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, picture.width, picture.height, 0, GL_RGBA, GL_FLOAT,
+                      picture.rgba.data());
+    }
+};
+
+SceneScreen::SceneScreen() = default;
+SceneScreen::~SceneScreen() = default;
+
+SceneScreen::Private& SceneScreen::opened()
+{
+    if (!d) d = std::make_unique<Private>();
+    if (!d->context.isCurrent())
+        throw std::runtime_error("scenes are drawn in the context of the first, which is not current");
+    return *d;
+}
+
+void SceneScreen::draw(const StyledScene& scene)
+{
+    opened().drawer.draw(scene);
+}
+
+void SceneScreen::show(const ScenePicture& picture)
+{
+    Private& own = opened();
+    const GladGLContext& gl = own.context.gl;
+    const ScopedSceneState state(own.context);
+    gl.ActiveTexture(GL_TEXTURE0);
+    const ScopedTextureBindings bindings(gl);
+    own.send(picture);
+    SceneProgram& program = own.programs.find(kVertexShader, kFragmentShader);
+    program.use();
+    program.set("picture", 0);
+    if (own.vertexArray == 0) gl.GenVertexArrays(1, &own.vertexArray);
+    gl.BindVertexArray(own.vertexArray);
+    gl.Viewport(0, 0, picture.width, picture.height);
+    gl.Enable(GL_BLEND);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+bool SceneScreen::prefersCasting()
+{
+    const GladGLContext& gl = opened().context.gl;
+    const std::string_view word = environmentText("VO_ENGINE");
+    if (word == "cast" || word == "slices") return word == "cast";
+    const char* const renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
+    for (const char* const name : {"llvmpipe", "softpipe", "SWR", "swrast"})
+        if (renderer && std::strstr(renderer, name)) return true;
+    return false;
+}
+
+} // namespace vo

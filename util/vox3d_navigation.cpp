@@ -1,0 +1,106 @@
+#include "vox3d_navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vo {
+namespace {
+
+constexpr ViewMatrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+ViewMatrix product(const ViewMatrix& a, const ViewMatrix& b)
+{
+    ViewMatrix to{};
+    for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t i = 0; i < 4; ++i)
+                to[4 * column + row] += a[4 * i + row] * b[4 * column + i];
+    return to;
+}
+
+ViewMatrix shift(const std::array<double, 3>& by)
+{
+    ViewMatrix to = kIdentity;
+    std::ranges::copy(by, to.begin() + 12);
+    return to;
+}
+
+ViewMatrix turn(const std::array<double, 3>& axis, double angle)
+{
+    const double length = std::hypot(axis[0], axis[1], axis[2]);
+    if (!(length > 0)) return kIdentity;
+    const double x = axis[0] / length, y = axis[1] / length, z = axis[2] / length;
+    const double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
+    return {t * x * x + c,
+            t * x * y + s * z,
+            t * x * z - s * y,
+            0,
+            t * x * y - s * z,
+            t * y * y + c,
+            t * y * z + s * x,
+            0,
+            t * x * z + s * y,
+            t * y * z - s * x,
+            t * z * z + c,
+            0,
+            0,
+            0,
+            0,
+            1};
+}
+
+} // namespace
+
+MovedEye MovedEye::of(voX3DView& view)
+{
+    MovedEye eye;
+    view.getCamera(eye.eyeFromWorld.data(), eye.projection.data());
+    if (!view.getBounds(eye.center.data(), eye.radius)) eye.radius = 1;
+    return eye;
+}
+
+std::array<double, 3> MovedEye::centerInEye() const
+{
+    std::array<double, 3> to;
+    for (std::size_t row = 0; row < 3; ++row)
+        to[row] = eyeFromWorld[row] * center[0] + eyeFromWorld[4 + row] * center[1] +
+                  eyeFromWorld[8 + row] * center[2] + eyeFromWorld[12 + row];
+    return to;
+}
+
+void MovedEye::examine(const std::array<double, 3>& axis, double angle)
+{
+    const auto at = centerInEye();
+    const ViewMatrix back = shift({-at[0], -at[1], -at[2]});
+    eyeFromWorld = product(product(shift(at), turn(axis, angle)), product(back, eyeFromWorld));
+}
+
+void MovedEye::move(const std::array<double, 3>& by)
+{
+    eyeFromWorld = product(shift(by), eyeFromWorld);
+}
+
+void MovedEye::approach(double factor)
+{
+    if (isOrthographic()) {
+        for (const std::size_t i : {0u, 5u})
+            projection[i] /= factor;
+        return;
+    }
+    const double depth = std::max(-centerInEye()[2], radius * 1e-3);
+    move({0, 0, depth * (1 - factor)});
+}
+
+void MovedEye::look(const std::array<double, 3>& axis, double angle)
+{
+    eyeFromWorld = product(turn(axis, angle), eyeFromWorld);
+}
+
+void MovedEye::resize(int oldWidth, int oldHeight, int width, int height)
+{
+    const double oldSide = std::min(oldWidth, oldHeight), side = std::min(width, height);
+    projection[0] *= (oldWidth / oldSide) / (width / side);
+    projection[5] *= (oldHeight / oldSide) / (height / side);
+}
+
+} // namespace vo

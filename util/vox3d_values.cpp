@@ -1,0 +1,146 @@
+#include "vox3d_values.h"
+
+#include "utility.h"
+#include "volume_io/memory_block.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+namespace vo {
+namespace {
+
+constexpr std::size_t kBins = 4096;
+constexpr std::int64_t kBytesAtOnce = 64 << 20;
+
+/// Lets a function have all voxels, some slices at a time.
+Result<void> readAll(const std::string& path, VolumeFile& file,
+                     const std::function<void(std::span<const std::byte>)>& take)
+{
+    const auto& size = file.info().size;
+    const auto sliceBytes = volumeBytes({size[0], size[1], 1}, file.info().bytesPerVoxel());
+    if (!sliceBytes) return Failure{path + ": " + sliceBytes.failure().text};
+    const std::int64_t atOnce = std::clamp<std::int64_t>(kBytesAtOnce / *sliceBytes, 1, size[2]);
+    auto block = MemoryBlock::allocate(path, atOnce * *sliceBytes);
+    if (!block) return block.failure();
+    for (std::int64_t z = 0; z < size[2]; z += atOnce) {
+        if (interrupted()) return Failure{path + ": interrupted while reading"};
+        const std::int64_t count = std::min(atOnce, size[2] - z);
+        const auto slices = block->bytes().first(static_cast<std::size_t>(count * *sliceBytes));
+        if (auto read = file.readBrick({{0, 0, z}, {size[0], size[1], count}}, slices); !read) return read;
+        take(slices);
+    }
+    return {};
+}
+
+/// The first channel of voxels, one after the other.
+void eachValue(const VolumeInfo& info, std::span<const std::byte> voxels,
+               const std::function<void(double)>& take)
+{
+    const auto step = static_cast<std::size_t>(info.bytesPerVoxel());
+    const auto each = [&](auto number) {
+        for (std::size_t at = 0; at + step <= voxels.size(); at += step) {
+            std::memcpy(&number, voxels.data() + at, sizeof number);
+            take(static_cast<double>(number));
+        }
+    };
+    switch (info.type) {
+    case ChannelType::uint8: each(std::uint8_t()); break;
+    case ChannelType::int8: each(std::int8_t()); break;
+    case ChannelType::uint16: each(std::uint16_t()); break;
+    case ChannelType::int16: each(std::int16_t()); break;
+    case ChannelType::float32: each(float()); break;
+    }
+}
+
+/// How many voxels have values in each part of the range.
+using Histogram = std::vector<double>;
+
+/// The bin above which the two sides differ most (Otsu): the variance between them is greatest.
+std::size_t bestDivision(const Histogram& counts)
+{
+    double all = 0, sum = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        all += counts[i];
+        sum += counts[i] * static_cast<double>(i);
+    }
+    double below = 0, belowSum = 0, best = -1;
+    std::size_t division = counts.size() / 2;
+    for (std::size_t i = 0; i + 1 < counts.size(); ++i) {
+        below += counts[i];
+        belowSum += counts[i] * static_cast<double>(i);
+        if (below <= 0 || below >= all) continue;
+        const double apart = belowSum / below - (sum - belowSum) / (all - below);
+        const double between = below * (all - below) * apart * apart;
+        if (between <= best) continue;
+        best = between;
+        division = i;
+    }
+    return division;
+}
+
+std::size_t binBelow(const Histogram& counts, double part)
+{
+    double all = 0, below = 0;
+    for (const double count : counts)
+        all += count;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        below += counts[i];
+        if (below >= part * all) return i;
+    }
+    return counts.size() - 1;
+}
+
+void divide(VolumeValues& values, const Histogram& counts)
+{
+    const double width = (values.seen.high - values.seen.low) / static_cast<double>(kBins);
+    const auto valueOf = [&](std::size_t bin) {
+        return values.seen.low + (static_cast<double>(bin) + 1) * width;
+    };
+    values.threshold = valueOf(bestDivision(counts));
+    values.high = std::max(valueOf(binBelow(counts, 0.998)), values.threshold + width);
+}
+
+} // namespace
+
+Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
+{
+    auto file = openVolume(path);
+    if (!file) return file.failure();
+    for (const std::string& note : file->description().notes)
+        warn(program, path + ": " + note);
+    const VolumeInfo& info = file->info();
+    VolumeValues values;
+    values.size = info.size;
+    values.spacing = file->description().spacing;
+    values.channels = info.channels;
+    values.alphaAdded = file->description().alphaAdded;
+    values.isOriented = file->description().orientation.known;
+    auto read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
+        growRange(values.seen, info.type, voxels.data(),
+                  voxels.size() / static_cast<std::size_t>(bytesPerChannel(info.type)));
+    });
+    if (!read) return read.failure();
+    if (values.seen.low > values.seen.high) values.seen = {0, 0};
+    const bool isUnsigned = info.type == ChannelType::uint8 || info.type == ChannelType::uint16;
+    values.scene = isUnsigned ? fullRange(info.type) : values.seen;
+    if (!(values.seen.low < values.seen.high)) {
+        values.threshold = values.seen.low;
+        values.high = values.seen.low + 1;
+        return values;
+    }
+    Histogram counts(kBins, 0.0);
+    const double scale = static_cast<double>(kBins) / (values.seen.high - values.seen.low);
+    read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
+        eachValue(info, voxels, [&](double value) {
+            const double bin = (value - values.seen.low) * scale;
+            if (bin >= 0) counts[std::min(static_cast<std::size_t>(bin), kBins - 1)] += 1;
+        });
+    });
+    if (!read) return read.failure();
+    divide(values, counts);
+    return values;
+}
+
+} // namespace vo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "volume_io/volume_io.h"
+#include "volume_view/value_range.h"
+
+namespace vo {
+
+/// What the values of a volume are, for a table that fits them.
+struct VolumeValues
+{
+    std::array<std::int64_t, 3> size{};
+    std::array<double, 3> spacing{1, 1, 1};
+    int channels = 1;
+    bool alphaAdded = false;
+    /// Whether the file says how the patient lies.
+    bool isOriented = false;
+    /// Values of the file that are 0 and 1 in a scene.
+    ValueRange scene;
+    /// Those that it has.
+    ValueRange seen;
+    /// Between what is around and what is of interest; and a value that only one of 500 voxels is above.
+    double threshold = 0, high = 1;
+};
+
+/// Opens a volume and looks at all of its voxels. `program` begins notes that are printed.
+Result<VolumeValues> lookAtVolume(const char* program, const std::string& path);
+
+} // namespace vo

@@ -1,0 +1,492 @@
+#include "vox3d_volume.h"
+
+#include "utility.h"
+#include "volume_view/lookup_file.h"
+#include "volume_view/lookup_ramp.h"
+#include "vox3d_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <numbers>
+
+namespace vo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = "vox3d";
+/// The whole angle that a viewpoint sees.
+constexpr double kFieldOfView = 0.6;
+constexpr int kLeastTexels = 256, kMostTexels = 16384;
+/// Segments have these many colours, over and over.
+constexpr int kColors = 12;
+constexpr double kMostSegments = 4096;
+
+using Color = std::array<double, 3>;
+
+std::string urlOf(const fs::path& path)
+{
+    static constexpr char kDigits[] = "0123456789ABCDEF";
+    std::string url;
+    for (const char letter : path.generic_string()) {
+        const auto code = static_cast<unsigned char>(letter);
+        if (code > ' ' && code < 0x7f &&
+            std::string_view("%#?:\"<>\\").find(letter) == std::string_view::npos)
+            url += letter;
+        else
+            url += {'%', kDigits[code / 16], kDigits[code % 16]};
+    }
+    return url;
+}
+
+/// A table of a transfer function: what values of the file become.
+struct Table
+{
+    /// Red, green, blue and alpha, from the value 0 of the scene to 1.
+    std::vector<float> rgba;
+};
+
+int texelsFor(const VolumeValues& values, double width)
+{
+    const double wanted = 256 * (values.scene.high - values.scene.low) / width;
+    int texels = kLeastTexels;
+    while (texels < wanted && texels < kMostTexels)
+        texels *= 2;
+    return texels;
+}
+
+Table rampTable(const VolumeValues& values, const Vox3dOptions::Ramp& ramp, double opacity, const Color& tint)
+{
+    const double range = values.scene.high - values.scene.low;
+    const int texels = texelsFor(values, ramp.width);
+    const double half = range / texels / 2;
+    Table table{rampEntries({ramp.center, ramp.width, opacity}, values.scene.low + half,
+                            values.scene.high - half, texels, 4)};
+    for (std::size_t i = 0; i < table.rgba.size(); ++i)
+        if (i % 4 < 3) table.rgba[i] *= static_cast<float>(tint[i % 4]);
+    return table;
+}
+
+/// A table from a file, spread over all values of 8 bits, or over those that are there.
+Table fileTable(const VolumeValues& values, const LookupFile& file, bool isByte)
+{
+    const ValueRange range = isByte ? values.scene : values.seen;
+    const int texels = texelsFor(values, std::max(range.high - range.low, 1e-30));
+    Table table;
+    for (int i = 0; i < texels; ++i) {
+        const double value = values.scene.low + (values.scene.high - values.scene.low) * (i + 0.5) / texels;
+        const double place =
+            std::clamp((value - range.low) / std::max(range.high - range.low, 1e-30), 0.0, 1.0) *
+            (LookupFile::kEntries - 1);
+        const auto below = static_cast<std::size_t>(std::min(std::floor(place), LookupFile::kEntries - 2.0));
+        for (std::size_t c = 0; c < 4; ++c)
+            table.rgba.push_back(
+                static_cast<float>(std::lerp(double(file.rgba[4 * below + c]),
+                                             double(file.rgba[4 * below + 4 + c]), place - double(below))));
+    }
+    return table;
+}
+
+Color hueColor(int index)
+{
+    Color color;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double hue = std::fmod(6.0 * index * 0.618034 + 2.0 * (3 - double(c)), 6.0);
+        color[c] = 0.35 + 0.65 * std::clamp(std::abs(hue - 3) - 1, 0.0, 1.0);
+    }
+    return color;
+}
+
+/// Makes the nodes of one volume.
+class SceneMaker
+{
+public:
+    SceneMaker(voX3DScene& scene, const Vox3dOptions& options, const VolumeValues& values)
+        : scene_(scene), options_(options), values_(values),
+          style_(options.style.empty() ? "opacity" : options.style)
+    {
+    }
+
+    Result<void> make()
+    {
+        if (!options_.lutFile.empty()) {
+            auto read = readLookupFile(options_.lutFile);
+            if (!read) return read.failure();
+            file_ = *read;
+        }
+        voxels_ = imageTexture(options_.input);
+        std::vector<voX3DNode> roots{navigation(), viewpoint()};
+        if (hasLight()) roots.push_back(light());
+        if (auto volume = makeVolume()) {
+            roots.push_back(*volume);
+        } else {
+            return volume.failure();
+        }
+        scene_.setRoots(roots.data(), static_cast<int>(roots.size()));
+        return {};
+    }
+
+private:
+    bool is(const char* style) const { return style_ == style; }
+    bool isOld() const { return scene_.getEdition() == voX3DScope::PROPOSAL_2005; }
+    bool hasLight() const { return is("tone") || is("shaded") || is("iso") || is("composed"); }
+    bool hasColors() const { return values_.channels > 1; }
+
+    voX3DNode node(const char* type) { return scene_.createNode(type); }
+
+    static void setColor(voX3DNode node, const char* field, const Color& color)
+    {
+        const float numbers[3] = {float(color[0]), float(color[1]), float(color[2])};
+        node.setFloats(field, numbers, 3);
+    }
+
+    voX3DNode imageTexture(const std::string& path)
+    {
+        voX3DNode texture = node("ImageTexture3D");
+        const std::string url = urlOf(fs::absolute(path));
+        const char* const text = url.c_str();
+        texture.setStrings("url", &text, 1);
+        return texture;
+    }
+
+    /// Volumes of one value look like surfaces where styles ask for normals, and like fog otherwise.
+    Table table(const Color& tint)
+    {
+        if (file_) return fileTable(values_, *file_, values_.scene.high == 255);
+        const bool isFog = is("opacity") || is("projection") || is("stipple") || is("boundary");
+        Vox3dOptions::Ramp ramp{(values_.threshold + values_.high) / 2,
+                                std::max(values_.high - values_.threshold, 1e-30)};
+        if (!isFog) ramp = {values_.threshold, ramp.width / 4};
+        if (options_.lut) ramp = *options_.lut;
+        return rampTable(values_, ramp, isFog ? std::min(1.0, fogOpacity()) : 0.9, tint);
+    }
+
+    /// Of a voxel of the highest values. A boundary is a small part of what lies on the way.
+    double fogOpacity() const
+    {
+        const auto longest = double(*std::ranges::max_element(values_.size));
+        return (is("boundary") ? 40 : 3) * sliceOpacity(1, longest);
+    }
+
+    voX3DNode transferFunction(const Color& tint)
+    {
+        const Table of = table(tint);
+        std::vector<int> image{static_cast<int>(of.rgba.size() / 4), 1, 4};
+        for (std::size_t i = 0; i < of.rgba.size(); i += 4) {
+            std::uint32_t pixel = 0;
+            for (std::size_t c = 0; c < 4; ++c)
+                pixel = pixel * 256 + static_cast<std::uint32_t>(std::lround(255 * of.rgba[i + c]));
+            image.push_back(static_cast<int>(pixel));
+        }
+        voX3DNode texture = node("PixelTexture"), map = node("OpacityMapVolumeStyle");
+        texture.setInts("image", image.data(), static_cast<int>(image.size()));
+        texture.setInt("repeatS", 0);
+        texture.setInt("repeatT", 0);
+        map.setNode("transferFunction", texture);
+        return map;
+    }
+
+    voX3DNode composed(const std::vector<voX3DNode>& styles)
+    {
+        voX3DNode list = node(isOld() ? "CompositeVolumeStyle" : "ComposedVolumeStyle");
+        if (isOld()) list.setInt("ordered", 1);
+        list.setNodes(isOld() ? "styles" : "renderStyle", styles.data(), static_cast<int>(styles.size()));
+        return list;
+    }
+
+    /// The style that the options name, behind the colours of a tint.
+    voX3DNode renderStyle(const Color& tint)
+    {
+        if (is("projection")) return node("ProjectionVolumeStyle");
+        std::vector<voX3DNode> styles;
+        if (!hasColors()) styles.push_back(transferFunction(tint));
+        addNamed(styles);
+        if (styles.empty()) return node("OpacityMapVolumeStyle");
+        return styles.size() == 1 ? styles.front() : composed(styles);
+    }
+
+    void addNamed(std::vector<voX3DNode>& styles)
+    {
+        if (is("boundary")) styles.push_back(boundary());
+        if (is("cartoon")) styles.push_back(node("CartoonVolumeStyle"));
+        if (is("edge") || is("composed")) styles.push_back(edge());
+        if (is("silhouette") || is("composed")) styles.push_back(silhouette());
+        if (is("tone")) styles.push_back(tone());
+        if (is("shaded") || is("composed")) styles.push_back(shaded(false));
+        if (is("stipple")) styles.push_back(node("StippleVolumeStyle"));
+        if (is("blended")) styles.push_back(blended());
+    }
+
+    voX3DNode boundary()
+    {
+        voX3DNode style = node("BoundaryEnhancementVolumeStyle");
+        style.setFloat("retainedOpacity", 0.05f);
+        style.setFloat("boundaryOpacity", 1);
+        style.setFloat("opacityFactor", 1);
+        return style;
+    }
+
+    voX3DNode edge()
+    {
+        voX3DNode style = node("EdgeEnhancementVolumeStyle");
+        style.setFloat("gradientThreshold", 0.8f);
+        return style;
+    }
+
+    voX3DNode silhouette()
+    {
+        voX3DNode style = node("SilhouetteEnhancementVolumeStyle");
+        style.setFloat("silhouetteRetainedOpacity", is("composed") ? 0.5f : 0.02f);
+        style.setFloat("silhouetteBoundaryOpacity", is("composed") ? 0.5f : 0.6f);
+        style.setFloat("silhouetteSharpness", 3);
+        return style;
+    }
+
+    voX3DNode tone()
+    {
+        voX3DNode style = node("ToneMappedVolumeStyle");
+        const float cool[4] = {0.1f, 0.15f, 0.5f, 1}, warm[4] = {1, 0.85f, 0.6f, 1};
+        style.setFloats("coolColor", cool, 4);
+        style.setFloats("warmColor", warm, 4);
+        return style;
+    }
+
+    voX3DNode shaded(bool withMaterial)
+    {
+        voX3DNode style = node("ShadedVolumeStyle");
+        style.setInt("lighting", 1);
+        if (!withMaterial) return style;
+        voX3DNode material = node("Material");
+        setColor(material, "diffuseColor", {0.9, 0.85, 0.75});
+        setColor(material, "specularColor", {0.2, 0.2, 0.2});
+        style.setNode("material", material);
+        return style;
+    }
+
+    /// Half the style's colours, half those of a cartoon of the same voxels.
+    voX3DNode blended()
+    {
+        voX3DNode style = node("BlendedVolumeStyle");
+        style.setNode("renderStyle", composed({transferFunction({1, 1, 1}), node("CartoonVolumeStyle")}));
+        style.setNode("voxels", voxels_);
+        return style;
+    }
+
+    void setDimensions(voX3DNode volume)
+    {
+        float numbers[3];
+        for (std::size_t i = 0; i < 3; ++i)
+            numbers[i] = static_cast<float>(extent(i));
+        volume.setFloats("dimensions", numbers, 3);
+    }
+
+    double extent(std::size_t axis) const
+    {
+        return values_.spacing[axis] * static_cast<double>(values_.size[axis]);
+    }
+
+    Result<voX3DNode> makeVolume()
+    {
+        if (!options_.labels.empty()) return segmented();
+        voX3DNode volume = node(is("iso") ? "IsoSurfaceVolumeData" : "VolumeData");
+        setDimensions(volume);
+        isOld() ? volume.setNodes("voxels", &voxels_, 1) : volume.setNode("voxels", voxels_);
+        if (!is("iso")) {
+            volume.setNode("renderStyle", renderStyle({1, 1, 1}));
+            return volume;
+        }
+        const double at = options_.lut ? options_.lut->center : values_.threshold;
+        const double range = std::max(values_.scene.high - values_.scene.low, 1e-30);
+        const auto value = static_cast<float>((at - values_.scene.low) / range);
+        volume.setFloats("surfaceValues", &value, 1);
+        const voX3DNode style = shaded(true);
+        volume.setNodes("renderStyle", &style, 1);
+        return volume;
+    }
+
+    Result<voX3DNode> segmented()
+    {
+        if (is("iso") || is("projection") || is("stipple"))
+            return Failure{"option -labels: expected a style that segments have, found -style " + style_};
+        const auto numbers = lookAtVolume(kProgram, options_.labels);
+        if (!numbers) return numbers.failure();
+        if (numbers->size != values_.size)
+            return Failure{options_.labels + ": expected " + sizeText(values_.size) + " voxels as in " +
+                           options_.input + ", found " + sizeText(numbers->size)};
+        if (numbers->seen.low < 0 || numbers->seen.high > kMostSegments)
+            return Failure{options_.labels + ": expected numbers of segments from 0 to " +
+                           std::to_string(int(kMostSegments)) + ", found " +
+                           std::to_string(int(numbers->seen.low)) + " to " +
+                           std::to_string(int(numbers->seen.high))};
+        std::vector<voX3DNode> colors, styles;
+        for (int i = 0; i < kColors; ++i)
+            colors.push_back(renderStyle(hueColor(i)));
+        const auto count = static_cast<int>(numbers->seen.high) + 1;
+        for (int i = 0; i < count; ++i)
+            styles.push_back(colors[static_cast<std::size_t>(i % kColors)]);
+        std::vector<int> enabled(static_cast<std::size_t>(count), 1);
+        enabled[0] = 0;
+        voX3DNode volume = node("SegmentedVolumeData");
+        setDimensions(volume);
+        volume.setNode("voxels", voxels_);
+        volume.setNode("segmentIdentifiers", imageTexture(options_.labels));
+        volume.setInts("segmentEnabled", enabled.data(), count);
+        volume.setNodes("renderStyle", styles.data(), count);
+        return volume;
+    }
+
+    static std::string sizeText(const std::array<std::int64_t, 3>& size)
+    {
+        return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
+    }
+
+    /// The eye's axes in the world as a quaternion: by -longitude about z after 90 + latitude about x.
+    std::array<double, 4> eyeTurn() const
+    {
+        constexpr double kDegree = std::numbers::pi / 180;
+        const double longitude = options_.view ? (*options_.view)[1] : values_.isOriented ? 180 : 0;
+        const double latitude = options_.view ? (*options_.view)[0] : 0;
+        const double z = -longitude * kDegree / 2, x = (90 + latitude) * kDegree / 2;
+        return {std::cos(z) * std::cos(x), std::cos(z) * std::sin(x), std::sin(z) * std::sin(x),
+                std::sin(z) * std::cos(x)};
+    }
+
+    /// A vector of eye space in the world.
+    static Color turned(const std::array<double, 4>& q, const Color& v)
+    {
+        const auto cross = [](const Color& a, const Color& b) {
+            return Color{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+        };
+        const Color axis{q[1], q[2], q[3]}, once = cross(axis, v), twice = cross(axis, once);
+        Color to;
+        for (std::size_t i = 0; i < 3; ++i)
+            to[i] = v[i] + 2 * (q[0] * once[i] + twice[i]);
+        return to;
+    }
+
+    /// From where all of the box is seen, in a picture of any proportions.
+    double distance(const std::array<double, 4>& eye) const
+    {
+        const std::array<double, 4> back{eye[0], -eye[1], -eye[2], -eye[3]};
+        const double slope = std::tan(kFieldOfView / 2) * 0.95;
+        double most = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Color at =
+                turned(back, {extent(0) * (corner & 1 ? 0.5 : -0.5), extent(1) * (corner & 2 ? 0.5 : -0.5),
+                              extent(2) * (corner & 4 ? 0.5 : -0.5)});
+            most = std::max(most, at[2] + std::max(std::abs(at[0]), std::abs(at[1])) / slope);
+        }
+        return most;
+    }
+
+    voX3DNode viewpoint()
+    {
+        const auto q = eyeTurn();
+        const double sine = std::hypot(q[1], q[2], q[3]);
+        const double divisor = sine > 1e-12 ? sine : 1;
+        const float orientation[4] = {float(q[1] / divisor), float(q[2] / divisor),
+                                      float(sine > 1e-12 ? q[3] / divisor : 1),
+                                      float(2 * std::atan2(sine, q[0]))};
+        voX3DNode viewpoint = node("Viewpoint");
+        viewpoint.setFloats("orientation", orientation, 4);
+        setColor(viewpoint, "position", turned(q, {0, 0, distance(q)}));
+        viewpoint.setFloat("fieldOfView", float(kFieldOfView));
+        viewpoint.setString("description", "All");
+        return viewpoint;
+    }
+
+    voX3DNode navigation()
+    {
+        voX3DNode info = node("NavigationInfo");
+        if (hasLight()) info.setInt("headlight", 0);
+        return info;
+    }
+
+    /// From the upper left behind the viewer.
+    voX3DNode light()
+    {
+        voX3DNode sun = node("DirectionalLight");
+        setColor(sun, "direction", turned(eyeTurn(), {0.5, -0.5, -0.7}));
+        sun.setFloat("ambientIntensity", 0.3f);
+        return sun;
+    }
+
+    voX3DScene& scene_;
+    const Vox3dOptions& options_;
+    const VolumeValues& values_;
+    std::string style_;
+    std::optional<LookupFile> file_;
+    voX3DNode voxels_;
+};
+
+/// Calls a function with each node that has a url, once for each place.
+void eachUrl(const voX3DNode& node, const std::function<void(voX3DNode)>& take)
+{
+    for (int i = 0; i < node.getFieldCount(); ++i) {
+        const char* const field = node.getFieldName(i);
+        const auto type = node.getFieldType(field);
+        if (std::string_view(field) == "url" && node.getCount(field) > 0) take(node);
+        if (type != voX3DScope::SF_NODE && type != voX3DScope::MF_NODE) continue;
+        for (int k = 0; k < node.getCount(field); ++k)
+            eachUrl(node.getNode(field, k), take);
+    }
+}
+
+} // namespace
+
+bool isScene(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    char begin[64] = {};
+    file.read(begin, sizeof begin);
+    std::string_view text(begin, static_cast<std::size_t>(file.gcount()));
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
+        text.remove_prefix(1);
+    if (text.starts_with('<') || text.starts_with("#X3D") || text.starts_with("#VRML")) return true;
+    const auto named = [&path](const char* ending) { return path.ends_with(ending); };
+    return std::ranges::any_of(std::array{".x3d", ".x3dv", ".wrl", ".x3dz", ".x3dvz", ".x3d.gz", ".x3dv.gz"},
+                               named);
+}
+
+Result<void> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options)
+{
+    // Only the proposal of 2005 has points in place of voxels.
+    const std::string empty = std::string("<X3D profile='Full' version='") +
+                              (options.style == "stipple" ? "3.0" : "4.0") + "'><Scene/></X3D>";
+    for (const std::string& path : {options.input, options.labels}) {
+        if (!path.empty()) scene.allowFolder(fs::absolute(path).parent_path().c_str());
+    }
+    if (!scene.readText(empty.data(), empty.size(), options.input.c_str()))
+        return Failure{options.input + ": " + scene.getMessage(0)};
+    const auto values = lookAtVolume(kProgram, options.input);
+    if (!values) return values.failure();
+    if (values->seen.low == values->seen.high)
+        warn(kProgram, options.input + ": all voxels are the same; nothing to tell apart");
+    return SceneMaker(scene, options, *values).make();
+}
+
+void makeUrlsRelative(voX3DScene& scene, const std::string& output)
+{
+    const fs::path folder = fs::absolute(output).parent_path();
+    for (int i = 0; i < scene.getRootCount(); ++i)
+        eachUrl(scene.getRoot(i), [&](voX3DNode node) {
+            const char* const path = node.getPath("url");
+            if (!path) return;
+            std::error_code none;
+            const fs::path base = fs::canonical(folder, none);
+            const fs::path relative = fs::path(path).lexically_relative(none ? folder : base);
+            if (relative.empty()) return;
+            if (*relative.begin() == "..")
+                warn(kProgram, output + ": is read with -allow " + fs::path(path).parent_path().string());
+            const std::string url = urlOf(relative);
+            const char* const text = url.c_str();
+            node.setStrings("url", &text, 1);
+        });
+}
+
+} // namespace vo
