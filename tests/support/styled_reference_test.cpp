@@ -231,6 +231,18 @@ TEST(StyledReference, firstLocalMaximumIsNotTheGreatest)
     EXPECT_NEAR(middlePixel(scene)[0], 0.5, kExact);
 }
 
+TEST(StyledReference, projectionsDoNotLookBehindOpaqueSurfaces)
+{
+    // From the eye on: 0.2, 0.9, 0.1, 0.6; a surface stands behind the first.
+    constexpr std::array kValues{0.6, 0.1, 0.9, 0.2};
+    StyledScene scene = cubeAlongZ(4, [&](int z) { return kValues[static_cast<std::size_t>(z)]; });
+    scene.volumes[0].projection = RayProjection{};
+    scene.surfaces.push_back(square(1.0, {0, 1, 0}, 0.5f));
+    EXPECT_NEAR(middlePixel(scene)[0], 0.9, kExact);
+    scene.surfaces[0].transparency = 0.0f;
+    EXPECT_NEAR(middlePixel(scene)[0], 0.2, kExact);
+}
+
 TEST(StyledReference, surfacesOfAValueLieWhereTheVoxelsHaveIt)
 {
     // Values rise with z; a plane of translucent colour stands just before and just behind the crossing.
