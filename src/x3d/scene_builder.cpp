@@ -181,10 +181,13 @@ const FieldRow* SceneBuilder::rowFor(const Node& child, int line)
                    return child.type().isA(*each);
                });
     };
-    const FieldRow* const usual = type.row(child.type().container(), edition_);
+    // A name that one edition alone has decides, as in settleEdition().
+    const Edition edition = nearestEdition(open_.back().editionsOfName, edition_);
+    const FieldRow* usual = type.row(child.type().container(), edition);
+    if (usual) usual = &type.row(usual->slot, edition);
     if (usual && takes(*usual)) return usual;
     const auto found = std::ranges::find_if(
-        type.rows(), [&](const FieldRow& row) { return has(row.editions, edition_) && takes(row); });
+        type.rows(), [&](const FieldRow& row) { return has(row.editions, edition) && takes(row); });
     if (found != type.rows().end()) return &*found;
     wrong(line, child.typeName() + " cannot stand in " + current().typeName());
     return nullptr;

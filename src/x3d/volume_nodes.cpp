@@ -65,7 +65,6 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
         messages_.warn(node, node.typeName() + ".dimensions: expected numbers above 0, found 0: not drawn");
         return {};
     }
-    styles_.setDimensions(volume.dimensions);
     if (!fill(node, volume)) return {};
     volume.clipPlanes = shown.clipPlanes;
     volume.unitLength = shortestEdge(volume);
@@ -99,7 +98,8 @@ bool VolumeNodes::fillPlain(const Node& node, StyledVolume& volume)
     if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
     volume.voxels = textures_.of(texture);
     if (!volume.voxels) return false;
-    DrawnStyle style = styles_.of(nodeOf(node, "renderStyle"), node.edition(), *volume.voxels);
+    DrawnStyle style =
+        styles_.of(nodeOf(node, "renderStyle"), node.edition(), {*volume.voxels, volume.dimensions});
     if (style.isSurface) {
         constexpr float kMiddle = 0.5f;
         volume.surfaces = IsoSurfaces{{kMiddle}, {style.chain}, 0.0f, nullptr};
@@ -138,9 +138,9 @@ bool VolumeNodes::fillSegmented(const Node& node, StyledVolume& volume)
 /// The chain's number, or -1 where its style is not enabled.
 int VolumeNodes::addSegmentChain(const Node* style, const Node& node, StyledVolume& volume)
 {
-    DrawnStyle drawn = styles_.of(style, node.edition(), *volume.voxels);
+    DrawnStyle drawn = styles_.of(style, node.edition(), {*volume.voxels, volume.dimensions});
     if (!drawn.isEnabled) return -1;
-    if (drawn.projection || drawn.stipple || drawn.isSurface)
+    if (drawn.projection || drawn.stipple)
         messages_.warn(*style, style->typeName() + " in SegmentedVolumeData: segments are drawn by samples");
     volume.chains.push_back(std::move(drawn.chain));
     return static_cast<int>(volume.chains.size()) - 1;
@@ -196,7 +196,7 @@ bool VolumeNodes::fillSurfaces(const Node& node, StyledVolume& volume)
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Node* const style =
             renderStyles.empty() ? nullptr : renderStyles[std::min(styleOf[i], renderStyles.size() - 1)];
-        DrawnStyle drawn = styles_.of(style, node.edition(), *volume.voxels);
+        DrawnStyle drawn = styles_.of(style, node.edition(), {*volume.voxels, volume.dimensions});
         if (drawn.projection || drawn.stipple)
             messages_.warn(*style, style->typeName() + " in IsoSurfaceVolumeData: surfaces are drawn");
         if (!drawn.isEnabled) continue;
@@ -229,10 +229,11 @@ std::vector<float> VolumeNodes::surfaceValues(const Node& node, const VoxelTextu
         const double first = surfaces[0].value;
         const double below = std::ceil((range.low - first) / step),
                      above = std::floor((range.high - first) / step);
-        if (above - below >= static_cast<double>(kMostSurfaces))
+        const bool isFew = above - below < static_cast<double>(kMostSurfaces);
+        if (!isFew)
             messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) +
-                                     " surfaces by contourStepSize, found more: the smallest are drawn");
-        for (double k = below; k <= above && surfaces.size() < kMostSurfaces; ++k)
+                                     " surfaces by contourStepSize, found more: the step is left out");
+        for (double k = below; k <= above && isFew; ++k)
             if (k != 0.0) surfaces.push_back({static_cast<float>(first + k * step), surfaces.size()});
     }
     if (surfaces.size() > kMostSurfaces) {

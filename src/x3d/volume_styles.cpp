@@ -37,17 +37,18 @@ bool isSet(const Node& node, const char* field)
 
 } // namespace
 
-DrawnStyle VolumeStyles::of(const Node* style, Edition edition, const VoxelTexture& voxels)
+DrawnStyle VolumeStyles::of(const Node* style, Edition edition, const VoxelsToDraw& voxels)
 {
     DrawnStyle drawn;
     if (style)
         add(*style, voxels, drawn, 0);
     else
         addMap(nullptr, edition == Edition::proposal2005, voxels, drawn);
+    drawn.chain = effectiveChain(drawn.chain);
     return drawn;
 }
 
-void VolumeStyles::add(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn, int depth)
+void VolumeStyles::add(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn, int depth)
 {
     if (depth > kMostDepth)
         return messages_.error(style, "expected styles at most " + std::to_string(kMostDepth) +
@@ -72,24 +73,24 @@ void VolumeStyles::add(const Node& style, const VoxelTexture& voxels, DrawnStyle
     else if (isOf(&style, "ShadedVolumeStyle") || isOf(&style, "ISOSurfaceVolumeStyle"))
         addShaded(style, voxels, drawn);
     else if (isOf(&style, "BlendedVolumeStyle"))
-        addBlended(style, drawn, depth);
+        addBlended(style, voxels, drawn, depth);
     else if (isOf(&style, "ProjectionVolumeStyle"))
         addProjection(style, drawn);
     else if (isOf(&style, "StippleVolumeStyle"))
         addStipple(style, drawn);
 }
 
-void VolumeStyles::addMap(const Node* function, bool opaqueAtZero, const VoxelTexture& voxels,
+void VolumeStyles::addMap(const Node* function, bool opaqueAtZero, const VoxelsToDraw& voxels,
                           DrawnStyle& drawn)
 {
     OpacityMap fields;
     fields.transferFunction = textures_.of(function, TexelUse::table);
     fields.opaqueAtZero = opaqueAtZero;
-    fields.voxelComponents = voxels.components;
+    fields.voxelComponents = voxels.texture.components;
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 
-void VolumeStyles::addBoundary(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addBoundary(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     if (const Node* const function = nodeOf(style, "transferFunction")) addMap(function, true, voxels, drawn);
     for (const char* const field : {"contribution", "gradientColor", "surfaceNormals"})
@@ -101,7 +102,7 @@ void VolumeStyles::addBoundary(const Node& style, const VoxelTexture& voxels, Dr
     drawn.chain.push_back(makeStyle(fields));
 }
 
-void VolumeStyles::addCartoon(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addCartoon(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     Cartoon fields;
     fields.parallelColor = vec4Of(style, "parallelColor");
@@ -111,7 +112,7 @@ void VolumeStyles::addCartoon(const Node& style, const VoxelTexture& voxels, Dra
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 
-void VolumeStyles::addEdge(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addEdge(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     ignore(style, "contribution");
     EdgeEnhancement fields;
@@ -122,7 +123,7 @@ void VolumeStyles::addEdge(const Node& style, const VoxelTexture& voxels, DrawnS
 }
 
 /// The proposal's equation is ISO's with nothing retained and a boundary opacity of 1.
-void VolumeStyles::addSilhouette(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addSilhouette(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     const bool isOld = style.edition() == Edition::proposal2005;
     SilhouetteEnhancement fields;
@@ -133,7 +134,7 @@ void VolumeStyles::addSilhouette(const Node& style, const VoxelTexture& voxels, 
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 
-void VolumeStyles::addToneMapped(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addToneMapped(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     ToneMapped fields;
     fields.coolColor = vec4Of(style, "coolColor");
@@ -142,7 +143,7 @@ void VolumeStyles::addToneMapped(const Node& style, const VoxelTexture& voxels, 
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 
-void VolumeStyles::addShaded(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn)
+void VolumeStyles::addShaded(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     Shaded fields;
     fields.lighting = boolOf(style, "lighting");
@@ -165,18 +166,19 @@ void VolumeStyles::addShaded(const Node& style, const VoxelTexture& voxels, Draw
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 
-void VolumeStyles::addBlended(const Node& style, DrawnStyle& drawn, int depth)
+void VolumeStyles::addBlended(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn, int depth)
 {
     Blended fields;
     fields.voxels = textures_.of(nodeOf(style, "voxels"));
     if (!fields.voxels)
         return messages_.warn(style, "expected voxels in BlendedVolumeStyle, found none: left out");
-    fields.dimensions = dimensions_;
+    fields.dimensions = voxels.dimensions;
+    const VoxelsToDraw otherVoxels{*fields.voxels, voxels.dimensions};
     DrawnStyle other;
     if (const Node* const otherStyle = nodeOf(style, "renderStyle"))
-        add(*otherStyle, *fields.voxels, other, depth + 1);
+        add(*otherStyle, otherVoxels, other, depth + 1);
     else
-        addMap(nullptr, false, *fields.voxels, other);
+        addMap(nullptr, false, otherVoxels, other);
     if (other.projection || other.stipple)
         messages_.warn(style, "a projection or stipples in BlendedVolumeStyle.renderStyle are not drawn");
     if (!other.isEnabled) other.chain = {fixedOpacity(0.0f)};
@@ -230,9 +232,9 @@ std::shared_ptr<const VoxelTexture> VolumeStyles::normals(const Node& owner, con
 }
 
 std::shared_ptr<const VoxelTexture> VolumeStyles::surfaceNormals(const Node& style,
-                                                                 const VoxelTexture& voxels)
+                                                                 const VoxelsToDraw& voxels)
 {
-    return normals(style, nodeOf(style, "surfaceNormals"), voxels);
+    return normals(style, nodeOf(style, "surfaceNormals"), voxels.texture);
 }
 
 void VolumeStyles::ignore(const Node& style, const char* field)

@@ -19,7 +19,14 @@ struct DrawnStyle
     bool isEnabled = true;  ///< else what it is for is not drawn
 };
 
-/// Makes chains of style nodes, for voxels that they are to draw.
+/// What a style is to draw.
+struct VoxelsToDraw
+{
+    const VoxelTexture& texture;
+    glm::vec3 dimensions; ///< of the volume
+};
+
+/// Makes chains of style nodes.
 class VolumeStyles
 {
 public:
@@ -27,34 +34,30 @@ public:
     {
     }
 
-    /// The box of the volume that styles are made for from here on.
-    void setDimensions(const glm::vec3& dimensions) { dimensions_ = dimensions; }
-
     /// Of a style; NULL: an OpacityMapVolumeStyle with the defaults of `edition`.
-    DrawnStyle of(const Node* style, Edition edition, const VoxelTexture& voxels);
+    DrawnStyle of(const Node* style, Edition edition, const VoxelsToDraw& voxels);
 
     /// Normals of a texture: three components, and the size of the voxels; else nothing, with a message.
     std::shared_ptr<const VoxelTexture> normals(const Node& owner, const Node* node,
                                                 const VoxelTexture& voxels);
 
 private:
-    void add(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn, int depth);
-    void addMap(const Node* function, bool opaqueAtZero, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addBoundary(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addCartoon(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addEdge(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addSilhouette(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addToneMapped(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addShaded(const Node& style, const VoxelTexture& voxels, DrawnStyle& drawn);
-    void addBlended(const Node& style, DrawnStyle& drawn, int depth);
+    void add(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn, int depth);
+    void addMap(const Node* function, bool opaqueAtZero, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addBoundary(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addCartoon(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addEdge(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addSilhouette(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addToneMapped(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addShaded(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn);
+    void addBlended(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn, int depth);
     void addProjection(const Node& style, DrawnStyle& drawn);
     void addStipple(const Node& style, DrawnStyle& drawn);
-    std::shared_ptr<const VoxelTexture> surfaceNormals(const Node& style, const VoxelTexture& voxels);
+    std::shared_ptr<const VoxelTexture> surfaceNormals(const Node& style, const VoxelsToDraw& voxels);
     void ignore(const Node& style, const char* field);
 
     VoxelTextures& textures_;
     ViewMessages& messages_;
-    glm::vec3 dimensions_{1.0f};
 };
 
 } // namespace vo

@@ -51,6 +51,25 @@ TEST(ReadScene, unknownNodesAreSkippedWithTheirLine)
     EXPECT_EQ(classic.roots.size(), 2u);
 }
 
+TEST(ReadScene, stylesGoToTheFieldThatTheirParentsNameHas)
+{
+    for (const char* const version : {"3.0", "4.0"})
+        for (const char* const parent : {"CompositeVolumeStyle", "ComposedVolumeStyle"}) {
+            Scene scene;
+            readSceneText(scene,
+                          "<X3D profile='Full' version='" + std::string(version) + "'><Scene><VolumeData><" +
+                              parent + " DEF='P'><CartoonVolumeStyle/></" + parent +
+                              "></VolumeData></Scene></X3D>",
+                          "s.x3d");
+            EXPECT_EQ(scene.errorCount(), 0u) << messagesOf(scene);
+            const Node& node = *scene.names.at("P");
+            const bool isOld = node.edition() == Edition::proposal2005;
+            EXPECT_EQ(isOld, std::string_view(parent) == "CompositeVolumeStyle");
+            const auto& styles = node.value(*node.field(isOld ? "styles" : "renderStyle"));
+            EXPECT_EQ(std::get<std::vector<Node*>>(styles).size(), 1u);
+        }
+}
+
 TEST(ReadScene, unknownFieldsAreSkippedWithTheirLine)
 {
     EXPECT_EQ(ofXml("<VolumeData\n dimensions='1 1 1'\n shininess='1' Dimensions='2 2 2'/>"),

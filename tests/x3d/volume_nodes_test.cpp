@@ -1,0 +1,443 @@
+// Voxels, segments and surfaces of volume nodes; texture nodes and files.
+
+#include <gtest/gtest.h>
+
+#include "../util/scratch_folder.h"
+#include "view_scene.h"
+#include "volume_io/volume_io.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace vo {
+namespace {
+
+/// A file whose bytes are those of numbers.
+template <class Number>
+void writeNrrd(const std::string& path, const std::string& type, const std::string& sizes,
+               const std::vector<Number>& numbers, const std::string& more = "")
+{
+    std::ofstream file(path, std::ios::binary);
+    file << "NRRD0004\ntype: " << type << "\ndimension: " << 1 + std::count(sizes.begin(), sizes.end(), ' ')
+         << "\nsizes: " << sizes << "\nendian: little\nencoding: raw\n"
+         << more << "\n";
+    file.write(reinterpret_cast<const char*>(numbers.data()),
+               static_cast<std::streamsize>(numbers.size() * sizeof(Number)));
+}
+
+template <class Number = std::uint8_t>
+std::vector<Number> texelsOf(const VoxelTexture& texture)
+{
+    std::vector<Number> numbers(texture.texels.size() / sizeof(Number));
+    std::memcpy(numbers.data(), texture.texels.data(), texture.texels.size());
+    return numbers;
+}
+
+/// A volume with the file v.nrrd.
+const std::string kFileVolume = "<VolumeData>\n<ImageTexture3D url='\"v.nrrd\"'/></VolumeData>";
+
+std::string pixels(const std::string& image, const std::string& field = "voxels",
+                   const std::string& below = "")
+{
+    return "<PixelTexture3D containerField='" + field + "' image='" + image + "'>" + below +
+           "</PixelTexture3D>";
+}
+
+/// The value at local coordinates.
+float valueAt(const StyledVolume& volume, const glm::vec3& local)
+{
+    BatchVectors place;
+    for (int axis = 0; axis < 3; ++axis)
+        place[static_cast<std::size_t>(axis)].fill(local[axis] / volume.dimensions[axis] + 0.5f);
+    std::array<BatchFloats, 4> texels{};
+    sampleTexture(*volume.voxels, 1, place, texels);
+    return texels[0][0];
+}
+
+/// The chain that a voxel of segmented volumes has, as engines find it.
+int chainAt(const StyledVolume& volume, std::size_t voxel)
+{
+    const Segments& segments = *volume.segments;
+    const VoxelTexture& numbers = *segments.identifiers;
+    const std::size_t at =
+        voxel * static_cast<std::size_t>(numbers.components) + static_cast<std::size_t>(segments.component);
+    const float texel = numbers.kind == TexelKind::uint16
+                            ? static_cast<float>(texelsOf<std::uint16_t>(numbers)[at]) / 65535.0f
+                            : static_cast<float>(texelsOf(numbers)[at]) / 255.0f;
+    const auto id = static_cast<std::size_t>(std::lround(texel * segments.scale));
+    return id < segments.chainOf.size() ? segments.chainOf[id] : segments.beyond;
+}
+
+TEST(VolumeNodes, firstVoxelIsAtTheLowCornerOfAllAxes)
+{
+    const ViewedScene s("<VolumeData dimensions='2 4 6'>" + pixels("1 2 2 2 10 20 30 40 50 60 70 80") +
+                        "</VolumeData>");
+    const StyledVolume& volume = s.drawn.volumes.at(0);
+    EXPECT_EQ(volume.dimensions, glm::vec3(2, 4, 6));
+    const float unit = 255.0f;
+    EXPECT_NEAR(valueAt(volume, {-1, -2, -3}) * unit, 10, 1e-3);
+    EXPECT_NEAR(valueAt(volume, {1, -2, -3}) * unit, 20, 1e-3);
+    EXPECT_NEAR(valueAt(volume, {-1, 2, -3}) * unit, 30, 1e-3);
+    EXPECT_NEAR(valueAt(volume, {-1, -2, 3}) * unit, 50, 1e-3);
+    EXPECT_NEAR(valueAt(volume, {1, 2, 3}) * unit, 80, 1e-3);
+    EXPECT_NEAR(valueAt(volume, {0, -2, -3}) * unit, 15, 1e-3);
+}
+
+TEST(VolumeNodes, pixelsHaveTheirFirstComponentInTheHighestByte)
+{
+    const auto texels = [](const std::string& image) {
+        const ViewedScene s("<VolumeData>" + pixels(image) + "</VolumeData>");
+        return texelsOf(*s.drawn.volumes.at(0).voxels);
+    };
+    using Bytes = std::vector<std::uint8_t>;
+    EXPECT_EQ(texels("1 1 1 2 0x12 0x134"), (Bytes{0x12, 0x34}));
+    EXPECT_EQ(texels("2 1 1 1 0x1234"), (Bytes{0x12, 0x34}));
+    EXPECT_EQ(texels("3 1 1 1 0x123456"), (Bytes{0x12, 0x34, 0x56}));
+    EXPECT_EQ(texels("4 2 1 1 0xF2345678 -1"), (Bytes{0xF2, 0x34, 0x56, 0x78, 0xFF, 0xFF, 0xFF, 0xFF}));
+}
+
+TEST(VolumeNodes, unitLengthIsTheShortestEdgeAndSpacingThatInTheWorld)
+{
+    const ViewedScene s("<Transform scale='2 3 5'><VolumeData dimensions='2 3 1'>" +
+                        pixels("1 4 2 1 0 0 0 0 0 0 0 0") + "</VolumeData></Transform>");
+    EXPECT_DOUBLE_EQ(s.drawn.volumes.at(0).unitLength, 0.5);
+    EXPECT_NEAR(s.drawn.volumes[0].spacing, 1.0, 1e-9);
+    const ViewedScene turned(
+        "<Transform scale='-0.25 3 3' scaleOrientation='1 1 0 0.7' rotation='1 2 3 1'><VolumeData>" +
+        pixels("1 2 1 1 0 0") + "</VolumeData></Transform>");
+    EXPECT_NEAR(turned.drawn.volumes.at(0).spacing, 0.125, 1e-9);
+}
+
+TEST(VolumeNodes, planesAreNoMoreThanFourThousandAndNinetySix)
+{
+    const ViewedScene s("<Transform scale='1 1 0.0001'><VolumeData dimensions='3 4 0.001'>" +
+                        pixels("1 1 1 1 0") + "</VolumeData></Transform>");
+    EXPECT_NEAR(s.drawn.volumes.at(0).spacing, 5.0 / 4096.0, 1e-9);
+}
+
+TEST(VolumeNodes, volumesWithoutExtentAreToldOf)
+{
+    const ViewedScene s(
+        "<VolumeData dimensions='1 0 1'>" + pixels("1 1 1 1 0") + "</VolumeData>\n<VolumeData/>", "3.0");
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_EQ(s.messages(),
+              "s.x3d:2: warning: VolumeData.dimensions: expected numbers above 0, found 0: not drawn\n"
+              "s.x3d:3: warning: VolumeData has no voxels: not drawn\n");
+}
+
+TEST(VolumeNodes, mipLevelsOf2005AreNotNeeded)
+{
+    const ViewedScene s(
+        "<VolumeData>" + pixels("1 2 2 2 1 2 3 4 5 6 7 8") + pixels("1 1 1 1 9") + "</VolumeData>", "3.0");
+    EXPECT_EQ(s.drawn.volumes.at(0).voxels->texels.size(), 8u);
+    EXPECT_EQ(s.messages(), "");
+}
+
+TEST(VolumeNodes, texturesRepeatAndFilterAsTheirPropertiesSay)
+{
+    const auto textureOf = [](const std::string& attributes, const std::string& properties) {
+        const ViewedScene s("<VolumeData><PixelTexture3D image='1 1 1 1 0' " + attributes + ">" + properties +
+                            "</PixelTexture3D></VolumeData>");
+        return s.drawn.volumes.at(0).voxels;
+    };
+    EXPECT_EQ(textureOf("", "")->repeats, (std::array{false, false, false}));
+    EXPECT_FALSE(textureOf("", "")->nearest);
+    EXPECT_EQ(textureOf("repeatS='true' repeatR='true'", "")->repeats, (std::array{true, false, true}));
+    const auto own =
+        textureOf("repeatS='true'", "<TextureProperties boundaryModeS='CLAMP_TO_EDGE' boundaryModeR='CLAMP' "
+                                    "magnificationFilter='NEAREST_PIXEL'/>");
+    EXPECT_EQ(own->repeats, (std::array{false, true, false}));
+    EXPECT_TRUE(own->nearest);
+    const ViewedScene mirrored(
+        "<VolumeData>" +
+        pixels("1 1 1 1 0", "voxels", "<TextureProperties boundaryModeT='MIRRORED_REPEAT'/>") +
+        "</VolumeData>");
+    EXPECT_EQ(mirrored.messages(),
+              "s.x3d:2: warning: boundaryModeT MIRRORED_REPEAT is not drawn: the value at the edge stays\n");
+}
+
+TEST(VolumeNodes, composedTexturesAreSlices)
+{
+    const ViewedScene s(
+        "<VolumeData><ComposedTexture3D><PixelTexture image='2 1 1 1 2'/><PixelTexture image='2 1 1 3 4'/>"
+        "</ComposedTexture3D></VolumeData>");
+    const VoxelTexture& texture = *s.drawn.volumes.at(0).voxels;
+    EXPECT_EQ(texture.size, (VoxelSize{2, 1, 2}));
+    EXPECT_EQ(texelsOf(texture), (std::vector<std::uint8_t>{1, 2, 3, 4}));
+    const ViewedScene wrong("<VolumeData>\n<ComposedTexture3D><PixelTexture image='2 1 1 1 2'/>"
+                            "<PixelTexture image='1 1 1 3'/></ComposedTexture3D></VolumeData>");
+    EXPECT_TRUE(wrong.drawn.volumes.empty());
+    EXPECT_EQ(wrong.messages(),
+              "s.x3d:3: error: ComposedTexture3D: expected slices of one size, type and number of "
+              "components, found several\n");
+}
+
+TEST(VolumeNodes, filesKeepWhatIsUnsigned)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::uint8_t>(folder / "v.nrrd", "uchar", "2 1 2", {1, 2, 3, 255});
+    const ViewedScene bytes(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf(*bytes.drawn.volumes.at(0).voxels), (std::vector<std::uint8_t>{1, 2, 3, 255}));
+    EXPECT_EQ(bytes.drawn.volumes[0].voxels->size, (VoxelSize{2, 1, 2}));
+    writeNrrd<std::uint16_t>(folder / "v.nrrd", "ushort", "2 1 2", {1, 2, 3, 65535});
+    const ViewedScene words(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf<std::uint16_t>(*words.drawn.volumes.at(0).voxels),
+              (std::vector<std::uint16_t>{1, 2, 3, 65535}));
+    EXPECT_EQ(words.messages(), "");
+}
+
+TEST(VolumeNodes, filesOfOtherTypesAreScaledByTheirRange)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::int16_t>(folder / "v.nrrd", "short", "3 1 1", {-1000, 0, 3000});
+    const ViewedScene words(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf<std::uint16_t>(*words.drawn.volumes.at(0).voxels),
+              (std::vector<std::uint16_t>{0, 16384, 65535}));
+    writeNrrd<std::int8_t>(folder / "v.nrrd", "signed char", "3 1 1", {-128, 0, 127});
+    const ViewedScene bytes(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf(*bytes.drawn.volumes.at(0).voxels), (std::vector<std::uint8_t>{0, 128, 255}));
+    const float nan = std::nanf("");
+    writeNrrd<float>(folder / "v.nrrd", "float", "4 1 1", {-2, 0, nan, 6});
+    const ViewedScene floats(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(floats.drawn.volumes.at(0).voxels->kind, TexelKind::float32);
+    EXPECT_EQ(texelsOf<float>(*floats.drawn.volumes[0].voxels), (std::vector<float>{0, 0.25f, 0, 1}));
+    writeNrrd<float>(folder / "v.nrrd", "float", "2 1 1", {7, 7});
+    const ViewedScene same(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf<float>(*same.drawn.volumes.at(0).voxels), (std::vector<float>{0, 0}));
+}
+
+TEST(VolumeNodes, threeChannelsOfAFileStayThree)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::uint8_t>(folder / "v.nrrd", "uchar", "3 2 1 1", {1, 2, 3, 4, 5, 6},
+                            "kinds: RGB-color space space space\n");
+    const ViewedScene s(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(s.drawn.volumes.at(0).voxels->components, 3);
+    EXPECT_EQ(texelsOf(*s.drawn.volumes[0].voxels), (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
+}
+
+TEST(VolumeNodes, filesThatAreNotThereAreToldOfOnce)
+{
+    const ScratchFolder folder;
+    ViewedScene s(kFileVolume, "4.0", folder / "");
+    s.draw();
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_EQ(s.messages(), "s.x3d:3: error: ImageTexture3D: \"v.nrrd\": no such file\n");
+    std::ofstream(folder / "v.nrrd")
+        << "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n\nabc";
+    const ViewedScene cut(kFileVolume, "4.0", folder / "");
+    EXPECT_TRUE(cut.drawn.volumes.empty());
+    EXPECT_NE(cut.messages().find("s.x3d:3: error: ImageTexture3D: "), std::string::npos);
+}
+
+TEST(VolumeNodes, theFirstUrlThatCanBeReadIsTaken)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::uint8_t>(folder / "v.nrrd", "uchar", "1 1 1", {9});
+    const ViewedScene s(
+        "<VolumeData><ImageTexture3D url='\"http://example.org/a.nrrd\" \"none.nrrd\" \"v.nrrd\"'/>"
+        "</VolumeData>",
+        "4.0", folder / "");
+    EXPECT_EQ(s.drawn.volumes.size(), 1u);
+    EXPECT_EQ(s.messages(), "");
+}
+
+TEST(VolumeNodes, picturesHaveTheirBottomRowFirst)
+{
+    const ScratchFolder folder;
+    // The top row is red and green, the bottom row blue and white.
+    const std::vector<std::uint8_t> rgb{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+    ASSERT_TRUE(writePng(folder / "p.png", 2, 2, 3, rgb));
+    const ViewedScene s(
+        "<VolumeData><ComposedTexture3D><ImageTexture url='\"p.png\"'/></ComposedTexture3D></VolumeData>",
+        "4.0", folder / "");
+    EXPECT_EQ(texelsOf(*s.drawn.volumes.at(0).voxels),
+              (std::vector<std::uint8_t>{0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0}));
+}
+
+TEST(VolumeNodes, pictureInImageTexture3DIsOneSliceInTheFilesOrder)
+{
+    const ScratchFolder folder;
+    const std::vector<std::uint8_t> rgb{255, 0, 0, 0, 0, 255};
+    ASSERT_TRUE(writePng(folder / "p.png", 1, 2, 3, rgb));
+    const ViewedScene s("<VolumeData><ImageTexture3D url='\"p.png\"'/></VolumeData>", "4.0", folder / "");
+    EXPECT_EQ(texelsOf(*s.drawn.volumes.at(0).voxels), rgb);
+    EXPECT_EQ(s.drawn.volumes[0].voxels->size, (VoxelSize{1, 2, 1}));
+}
+
+const std::string kEdge = "<EdgeEnhancementVolumeStyle/>";
+
+TEST(VolumeNodes, segmentsOfIsoAreTheRedOfTheirIdentifiers)
+{
+    const ViewedScene s("<SegmentedVolumeData segmentEnabled='true false'>" + pixels("1 4 1 1 0 0 0 0") +
+                        pixels("3 4 1 1 0x000102 0x010000 0x020000 0x030000", "segmentIdentifiers") + kEdge +
+                        kEdge + "<BoundaryEnhancementVolumeStyle enabled='false'/></SegmentedVolumeData>");
+    const StyledVolume& volume = s.drawn.volumes.at(0);
+    ASSERT_TRUE(volume.segments);
+    EXPECT_EQ(volume.segments->component, 0);
+    const int first = chainAt(volume, 0), third = chainAt(volume, 3);
+    ASSERT_GE(first, 0);
+    EXPECT_EQ(volume.chains.at(static_cast<std::size_t>(first)).size(), 1u);
+    EXPECT_EQ(chainAt(volume, 1), -1);
+    EXPECT_EQ(chainAt(volume, 2), -1);
+    EXPECT_EQ(third, volume.segments->beyond);
+    EXPECT_NE(third, first);
+}
+
+TEST(VolumeNodes, identifiersOfAnotherSizeAreIgnored)
+{
+    const ViewedScene s("<SegmentedVolumeData>" + pixels("1 2 1 1 0 0") + "\n" +
+                        pixels("1 1 1 1 0", "segmentIdentifiers") + "</SegmentedVolumeData>");
+    EXPECT_FALSE(s.drawn.volumes.at(0).segments);
+    EXPECT_EQ(s.drawn.volumes[0].chains.size(), 1u);
+    EXPECT_EQ(s.messages(),
+              "s.x3d:3: warning: expected segmentIdentifiers of the voxels' size, found another: ignored\n");
+}
+
+TEST(VolumeNodes, segmentsOf2005AreTheLastComponent)
+{
+    const auto volumeOf = [](const std::string& image) {
+        const ViewedScene s("<SegmentedVolumeData segmentEnabled='true false'>" +
+                                pixels(image, "segmentedVoxels") + kEdge + "</SegmentedVolumeData>",
+                            "3.0");
+        EXPECT_EQ(s.messages(), "");
+        return s.drawn.volumes.at(0);
+    };
+    using Bytes = std::vector<std::uint8_t>;
+    const StyledVolume two = volumeOf("2 2 1 1 0x7000 0x7101");
+    EXPECT_EQ(texelsOf(*two.voxels), (Bytes{0x70, 0x71}));
+    EXPECT_GE(chainAt(two, 0), 0);
+    EXPECT_EQ(chainAt(two, 1), -1);
+    const StyledVolume three = volumeOf("3 2 1 1 0x708000 0x718101");
+    EXPECT_EQ(texelsOf(*three.voxels), (Bytes{0x70, 0x80, 0x71, 0x81}));
+    EXPECT_EQ(chainAt(three, 1), -1);
+    const StyledVolume four = volumeOf("4 2 1 1 0x70809001 0x71819102");
+    EXPECT_EQ(texelsOf(*four.voxels), (Bytes{0x70, 0x80, 0x90, 0x71, 0x81, 0x91}));
+    EXPECT_EQ(chainAt(four, 0), -1);
+    EXPECT_EQ(chainAt(four, 1), four.segments->beyond);
+}
+
+TEST(VolumeNodes, oneComponentOf2005IsNotDrawn)
+{
+    const ViewedScene s(
+        "<SegmentedVolumeData>" + pixels("1 1 1 1 0", "segmentedVoxels") + "</SegmentedVolumeData>", "3.0");
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_EQ(
+        s.messages(),
+        "s.x3d:2: warning: expected 2, 3 or 4 components in segmentedVoxels, found 1: nothing is drawn\n");
+}
+
+/// As many segments as ids; every odd one is off. A file of one type has them all in a row.
+template <class Number>
+void expectSegments(const std::string& type, int count)
+{
+    const ScratchFolder folder;
+    std::vector<Number> ids;
+    std::vector<std::uint8_t> values(static_cast<std::size_t>(count));
+    std::string enabled;
+    for (int id = 0; id < count; ++id) {
+        ids.push_back(static_cast<Number>(id));
+        enabled += id % 2 ? "false " : "true ";
+    }
+    const std::string sizes = std::to_string(count) + " 1 1";
+    writeNrrd(folder / "v.nrrd", "uchar", sizes, values);
+    writeNrrd(folder / "i.nrrd", type, sizes, ids);
+    const ViewedScene s(
+        "<SegmentedVolumeData segmentEnabled='" + enabled +
+            "'><ImageTexture3D url='\"v.nrrd\"'/><ImageTexture3D containerField='segmentIdentifiers' "
+            "url='\"i.nrrd\"'/></SegmentedVolumeData>",
+        "4.0", folder / "");
+    EXPECT_EQ(s.messages(), "");
+    ASSERT_TRUE(s.drawn.volumes.at(0).segments);
+    for (int id = 0; id < count; ++id)
+        EXPECT_EQ(chainAt(s.drawn.volumes[0], static_cast<std::size_t>(id)) < 0, id % 2 == 1) << id;
+}
+
+TEST(VolumeNodes, numbersOfSegmentsAreThoseOfTheFile)
+{
+    for (const int count : {3, 255})
+        expectSegments<std::uint8_t>("uchar", count);
+    for (const int count : {3, 255, 725}) {
+        expectSegments<std::uint16_t>("ushort", count);
+        expectSegments<std::int16_t>("short", count);
+        expectSegments<float>("float", count);
+    }
+}
+
+TEST(VolumeNodes, numbersOfSegmentsOf2005AreThoseOfTheFile)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::uint16_t>(folder / "v.nrrd", "ushort", "2 3 1 1", {100, 0, 200, 1, 300, 724});
+    std::string enabled;
+    for (int id = 0; id < 725; ++id)
+        enabled += id == 724 ? "false " : "true ";
+    const ViewedScene s("<SegmentedVolumeData segmentEnabled='" + enabled +
+                            "'><ImageTexture3D url='\"v.nrrd\"'/></SegmentedVolumeData>",
+                        "3.0", folder / "");
+    const StyledVolume& volume = s.drawn.volumes.at(0);
+    EXPECT_EQ(texelsOf<std::uint16_t>(*volume.voxels), (std::vector<std::uint16_t>{100, 200, 300}));
+    EXPECT_GE(chainAt(volume, 1), 0);
+    EXPECT_EQ(chainAt(volume, 2), -1);
+}
+
+std::string isoVolume(const std::string& attributes, const std::string& styles = "")
+{
+    return "<IsoSurfaceVolumeData " + attributes + ">" + pixels("1 3 1 1 51 153 204") + styles +
+           "</IsoSurfaceVolumeData>";
+}
+
+TEST(VolumeNodes, surfacesAreThoseThatAreListed)
+{
+    const ViewedScene s(isoVolume(
+        "surfaceValues='0.5 0.25 0.75' contourStepSize='0.1' surfaceTolerance='0.125'",
+        "<OpacityMapVolumeStyle/><ComposedVolumeStyle>" + kEdge + kEdge + "</ComposedVolumeStyle>"));
+    const IsoSurfaces& surfaces = *s.drawn.volumes.at(0).surfaces;
+    EXPECT_EQ(surfaces.values, (std::vector<float>{0.25f, 0.5f, 0.75f}));
+    EXPECT_EQ(surfaces.surfaceTolerance, 0.125f);
+    ASSERT_EQ(surfaces.chains.size(), 3u);
+    EXPECT_EQ(surfaces.chains[0].size(), 2u);
+    EXPECT_EQ(surfaces.chains[1].size(), 1u);
+    EXPECT_EQ(surfaces.chains[2].size(), 2u);
+}
+
+TEST(VolumeNodes, stepsFillTheRangeOfTheVoxels)
+{
+    const ViewedScene s(isoVolume("surfaceValues='0.5' contourStepSize='0.125'",
+                                  "<OpacityMapVolumeStyle/><ComposedVolumeStyle>" + kEdge + kEdge +
+                                      "</ComposedVolumeStyle><ComposedVolumeStyle>" + kEdge + kEdge + kEdge +
+                                      "</ComposedVolumeStyle>"));
+    const IsoSurfaces& surfaces = *s.drawn.volumes.at(0).surfaces;
+    // The voxels are from 0.2 to 0.8.
+    EXPECT_EQ(surfaces.values, (std::vector<float>{0.25f, 0.375f, 0.5f, 0.625f, 0.75f}));
+    std::vector<std::size_t> steps;
+    for (const StyleChain& chain : surfaces.chains)
+        steps.push_back(chain.size());
+    EXPECT_EQ(steps, (std::vector<std::size_t>{2, 3, 1, 3, 3}));
+}
+
+TEST(VolumeNodes, tinyStepsAreLimited)
+{
+    const ViewedScene s(isoVolume("surfaceValues='0.5' contourStepSize='1e-30'"));
+    EXPECT_EQ(s.drawn.volumes.at(0).surfaces->values, std::vector<float>{0.5f});
+    EXPECT_EQ(s.messages(),
+              "s.x3d:2: warning: expected at most 256 surfaces by contourStepSize, found more: the "
+              "step is left out\n");
+}
+
+TEST(VolumeNodes, surfacesWithoutValuesOrWithoutStylesThatAreOnAreNotDrawn)
+{
+    EXPECT_TRUE(ViewedScene(isoVolume("")).drawn.volumes.empty());
+    EXPECT_TRUE(ViewedScene(isoVolume("surfaceValues='0.5'", "<OpacityMapVolumeStyle enabled='false'/>"))
+                    .drawn.volumes.empty());
+}
+
+TEST(VolumeNodes, gradientsAreTheNormalsOfSurfaces)
+{
+    const ViewedScene s(isoVolume("surfaceValues='0.5'", pixels("3 3 1 1 0 0 0", "gradients")));
+    EXPECT_TRUE(s.drawn.volumes.at(0).surfaces->gradients);
+    EXPECT_EQ(s.messages(), "");
+}
+
+} // namespace
+} // namespace vo
