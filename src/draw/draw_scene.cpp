@@ -1,6 +1,8 @@
 #include "draw/draw_scene.h"
 
+#include "core/invertible.h"
 #include "draw/draw_sky.h"
+#include "draw/draw_stipples.h"
 #include "draw/draw_surfaces.h"
 #include "draw/draw_volumes.h"
 #include "draw/opaque_depths.h"
@@ -52,6 +54,7 @@ struct SceneDrawer::Private
     StackSlicer slicer;
     SceneArrays arrays{resources.context};
     TranslucentSurfaces translucent{resources};
+    DrawnStipples stipples{resources};
     OpaqueDepths opaqueDepths{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
 
@@ -71,8 +74,8 @@ std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
     for (const StyledVolume& volume : scene.volumes) {
         if (!isDrawn(volume)) continue;
         if (count == volumes.size()) volumes.push_back(std::make_unique<DrawnVolume>(resources));
-        const bool ends = isProjected(volume) && hasOpaqueSurfaces(scene);
-        if (ends && !std::exchange(depthsDrawn, true)) opaqueDepths.draw(scene, arrays);
+        const bool ends = isProjected(volume) && (hasOpaqueSurfaces(scene) || !stipples.empty());
+        if (ends && !std::exchange(depthsDrawn, true)) opaqueDepths.draw(scene, arrays, stipples);
         volumes[count++]->prepare(scene, volume, slicer, ends ? &opaqueDepths : nullptr);
     }
     return count;
@@ -95,8 +98,11 @@ void SceneDrawer::Private::drawLayers(const std::vector<Step>& steps)
 
 void SceneDrawer::Private::checkErrors() const
 {
-    if (const GLenum error = resources.context.gl.GetError(); error != GL_NO_ERROR)
-        throw std::runtime_error("drawing a scene: OpenGL says error " + std::to_string(error));
+    const GLenum error = resources.context.gl.GetError();
+    if (error == GL_OUT_OF_MEMORY)
+        throw std::runtime_error("drawing a scene: the driver says GL_OUT_OF_MEMORY");
+    if (error != GL_NO_ERROR)
+        throw std::runtime_error("drawing a scene: the driver says error " + std::to_string(error));
 }
 
 void SceneDrawer::Private::draw(const StyledScene& scene)
@@ -105,6 +111,7 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     const ScopedSceneState state(resources.context);
     while (gl.GetError() != GL_NO_ERROR) {
     }
+    stipples.prepare(scene);
     const std::vector<Step> steps = stepsOf(volumes, prepareVolumes(scene));
     std::vector<double> depths;
     std::ranges::transform(steps, std::back_inserter(depths), &Step::depth);
@@ -120,6 +127,7 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     gl.DepthFunc(GL_LESS);
     gl.DepthMask(GL_TRUE);
     drawOpaqueSurfaces(scene, resources, arrays, SurfaceLook::color);
+    stipples.draw(scene, SurfaceLook::color);
     gl.DepthMask(GL_FALSE);
     drawLayers(steps);
     resources.textures.endPicture();
@@ -131,6 +139,8 @@ SceneDrawer::~SceneDrawer() = default;
 
 void SceneDrawer::draw(const StyledScene& scene)
 {
+    if (scene.width < 1 || scene.height < 1) return;
+    if (!isInvertible(scene.eyeFromWorld) || !isInvertible(scene.clipFromEye)) return;
     if (!d) d = std::make_unique<Private>();
     if (!d->resources.context.isCurrent())
         throw std::runtime_error("scenes are drawn in the context of the first, which is not current");

@@ -1,11 +1,13 @@
 #include "draw/draw_volumes.h"
 
+#include "core/invertible.h"
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -37,6 +39,12 @@ void fillChainTable(const std::vector<int>& chainOf, VoxelTexture& table)
 bool isDrawn(const StyledVolume& volume)
 {
     if (!volume.voxels || volume.stipple || (volume.tetras && isProjected(volume))) return false;
+    if (!isInvertible(volume.worldFromLocal) || volume.chains.empty()) return false;
+    for (const double length :
+         {static_cast<double>(volume.dimensions.x), static_cast<double>(volume.dimensions.y),
+          static_cast<double>(volume.dimensions.z), volume.unitLength, volume.spacing})
+        if (!(length > 0.0) || !std::isfinite(length)) return false;
+    if (volume.segments && !volume.segments->identifiers) return false;
     return !volume.surfaces || (!volume.surfaces->values.empty() && !volume.surfaces->chains.empty());
 }
 

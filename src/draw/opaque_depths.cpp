@@ -1,6 +1,7 @@
 #include "draw/opaque_depths.h"
 
 #include "draw/draw_surfaces.h"
+#include "draw/scoped_state.h"
 
 #include <stdexcept>
 #include <string>
@@ -76,6 +77,7 @@ void OpaqueDepths::makeTarget(int width, int height)
     gl.GenTextures(1, &texture_);
     gl.GenRenderbuffers(1, &depthBuffer_);
     bind(0);
+    const ScopedUploadState upload(gl, resources_.context.core);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, width, height, 0, GL_RED, GL_FLOAT, nullptr);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -92,7 +94,7 @@ void OpaqueDepths::makeTarget(int width, int height)
     height_ = height;
 }
 
-void OpaqueDepths::draw(const StyledScene& scene, SceneArrays& arrays)
+void OpaqueDepths::draw(const StyledScene& scene, SceneArrays& arrays, DrawnStipples& stipples)
 {
     const GladGLContext& gl = resources_.context.gl;
     const ScopedTarget scope(gl);
@@ -107,6 +109,7 @@ void OpaqueDepths::draw(const StyledScene& scene, SceneArrays& arrays)
     gl.ClearBufferfv(GL_COLOR, 0, kFarthest);
     gl.ClearBufferfv(GL_DEPTH, 0, &kDepth);
     drawOpaqueSurfaces(scene, resources_, arrays, SurfaceLook::depth);
+    stipples.draw(scene, SurfaceLook::depth);
 }
 
 } // namespace vo

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "draw/draw_stipples.h"
 #include "draw/scene_resources.h"
 #include "style/styled_scene.h"
 
 namespace vo {
 
-/// The eye depths of a scene's opaque surfaces, a texture of the picture's size: infinite where there is
-/// none.
+/// The eye depths of a scene's opaque surfaces and stipples, a texture of the picture's size: infinite where
+/// there is none.
 class OpaqueDepths
 {
 public:
@@ -17,7 +18,7 @@ public:
 
     /// Draws them into a framebuffer of its own; the caller's is bound again afterwards. Throws
     /// std::runtime_error if the driver has no such framebuffer.
-    void draw(const StyledScene& scene, SceneArrays& arrays);
+    void draw(const StyledScene& scene, SceneArrays& arrays, DrawnStipples& stipples);
     /// As a sampler2D. The caller's binding is not given back: ScopedSceneState does that.
     void bind(int unit) const;
 

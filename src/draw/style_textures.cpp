@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -56,6 +58,31 @@ void sendWidened(const GladGLContext& gl, const VoxelTexture& texture, const Sto
     }
 }
 
+/// Throws std::runtime_error for texels that do not fill the size.
+void checkWhole(const VoxelTexture& texture)
+{
+    const VoxelSize& size = texture.size;
+    const bool sized =
+        std::min({size.x, size.y, size.z}) >= 1 && texture.components >= 1 && texture.components <= 4;
+    const std::uint64_t bytes = static_cast<std::uint64_t>(texture.components) * bytesOf(texture.kind);
+    if (sized && texture.texels.size() / bytes >= size.count()) return;
+    throw std::runtime_error("a texture of " + sizeText(size) + " texels with " +
+                             std::to_string(texture.components) + " components has " +
+                             std::to_string(texture.texels.size()) + " bytes, which is too few");
+}
+
+/// Floats without what is no number, for which 0 stands; empty where there is none of it.
+std::vector<float> withoutNonNumbers(const VoxelTexture& texture)
+{
+    if (texture.kind != TexelKind::float32) return {};
+    std::vector<float> values(texture.texels.size() / sizeof(float));
+    std::memcpy(values.data(), texture.texels.data(), values.size() * sizeof(float));
+    const auto isNoNumber = [](float value) { return !std::isfinite(value); };
+    if (std::ranges::none_of(values, isNoNumber)) return {};
+    std::ranges::replace_if(values, isNoNumber, 0.0f);
+    return values;
+}
+
 void setFilter(const GladGLContext& gl, const VoxelTexture& texture)
 {
     const GLint filter = texture.nearest ? GL_NEAREST : GL_LINEAR;
@@ -80,6 +107,7 @@ void StyleTextures::send(const VoxelTexture& texture) const
 {
     const GladGLContext& gl = context_.gl;
     const VoxelSize& size = texture.size;
+    checkWhole(texture);
     if (std::max({size.x, size.y, size.z}) > context_.most3dTexels)
         throw std::runtime_error("a texture of " + sizeText(size) + " texels: this driver takes " +
                                  std::to_string(context_.most3dTexels) + " on an axis");
@@ -88,7 +116,9 @@ void StyleTextures::send(const VoxelTexture& texture) const
     const Storage storage = storageOf(texture, wide);
     while (gl.GetError() != GL_NO_ERROR) {
     }
+    const std::vector<float> numbers = withoutNonNumbers(texture);
     const void* texels = wide ? nullptr : texture.texels.data();
+    if (!numbers.empty()) texels = numbers.data();
     gl.TexImage3D(GL_TEXTURE_3D, 0, storage.internalFormat, size.x, size.y, size.z, 0, storage.format,
                   storage.type, texels);
     setFilter(gl, texture);

@@ -93,6 +93,7 @@ vec3 litColor(vec3 CD, vec3 n, vec3 V)
 
 void main()
 {
+    vec3 faceNormal = cross(dFdx(world), dFdy(world));
     if (isClipped(vec4(world, 1.0))) discard;
 #ifdef SLICED
     if (!isInSlab()) discard;
@@ -103,9 +104,11 @@ void main()
     fragment = vec4(dot(worldDepthRow, vec4(world, 1.0)));
     return;
 #endif
-    float size = length(worldNormal);
-    vec3 n = size > 0.0 ? worldNormal / (outside ? size : -size) : vec3(0.0);
     vec3 V = viewer.w > 0.0 ? normalize(viewer.xyz - world) : -normalize(viewer.xyz);
+    vec3 n = outside ? worldNormal : -worldNormal;
+    if (n == vec3(0.0)) n = dot(faceNormal, V) < 0.0 ? -faceNormal : faceNormal;
+    float size = length(n);
+    n = size > 0.0 ? n / size : vec3(0.0);
 #ifdef COLORS
     vec3 CD = colorGiven.rgb;
     float alpha = clamp(colorGiven.a, 0.0, 1.0);

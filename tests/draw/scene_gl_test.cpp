@@ -1,5 +1,6 @@
 // Scenes with styles through OpenGL, beside the reference and closed forms.
 
+#include "cast/cast_scene.h"
 #include "draw/draw_scene.h"
 #include "offscreen/offscreen.h"
 #include "support/styled_reference.h"
@@ -7,6 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -460,6 +462,283 @@ TEST_P(SceneDrawing, tetrahedraHavePlacesOfTheirOwn)
         scene.volumes[0].tetras = tetras();
         compare(scene, perspective ? "tetrahedra, perspective" : "tetrahedra");
     }
+}
+
+TEST_P(SceneDrawing, stipplesAreThePointsOfTheCpuEngine)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes[0].stipple.emplace();
+    scene.volumes[0].stipple->gradientThreshold = 0.0f;
+    scene.surfaces = {sphere({0.5, 0.4, 0.4}, 0.5)};
+    ScenePicture cast;
+    castScene(scene, 0, cast);
+    const std::vector<double> expected(cast.rgba.begin(), cast.rgba.end());
+    EXPECT_GT(psnr(picture(scene), expected), kAlike);
+    scene.volumes.push_back(turnedScene({}).volumes[0]);
+    scene.volumes[1].projection = RayProjection{};
+    castScene(scene, 0, cast);
+    EXPECT_GT(psnr(picture(scene), {cast.rgba.begin(), cast.rgba.end()}), kAlike);
+}
+
+TEST_P(SceneDrawing, picturesAreThoseOfTheCpuEngine)
+{
+    for (const auto& [name, chain] : chains()) {
+        const StyledScene scene = turnedScene(chain);
+        ScenePicture cast;
+        castScene(scene, 0, cast);
+        EXPECT_GT(psnr(picture(scene), {cast.rgba.begin(), cast.rgba.end()}), kAlike) << name;
+    }
+}
+
+TEST_P(SceneDrawing, surfacesWithoutNormalsHaveThoseOfTheirTriangles)
+{
+    StyledScene scene = sceneOf(constant(0.0), true);
+    scene.volumes.clear();
+    scene.surfaces = {sphere({0.2, 0.1, 0.1}, 1.2)};
+    scene.surfaces[0].normals.clear();
+    ScenePicture cast;
+    castScene(scene, 0, cast);
+    EXPECT_GT(psnr(picture(scene), {cast.rgba.begin(), cast.rgba.end()}), kAlike);
+}
+
+// ---- The caller's state
+
+/// A picture in which all that the drawer can do has a part.
+StyledScene fullScene()
+{
+    StyledScene scene = turnedScene({styleWithReference(SilhouetteEnhancement{})});
+    scene.background.opacity = 1.0f;
+    scene.background.sky = {{0.1f, 0.2f, 0.3f}};
+    scene.surfaces = {sphere({0.5, 0.4, 0.4}, 0.5), pane({0, 0, 0.3}, -0.9, {0, 0, 1}, 0.5f)};
+    scene.volumes.push_back(turnedScene({}).volumes[0]);
+    scene.volumes[1].projection = RayProjection{};
+    scene.volumes[1].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0.8, 0.0, 0.0));
+    scene.volumes.push_back(turnedScene({}).volumes[0]);
+    scene.volumes[2].stipple.emplace();
+    return scene;
+}
+
+/// What a program may have set before it has a scene drawn.
+void disturb(const GladGLContext& gl, bool core)
+{
+    GLuint names[8];
+    gl.GenTextures(4, names);
+    gl.ActiveTexture(GL_TEXTURE1);
+    gl.BindTexture(GL_TEXTURE_3D, names[0]);
+    gl.BindTexture(GL_TEXTURE_2D, names[1]);
+    gl.GenSamplers(1, names);
+    gl.SamplerParameteri(names[0], GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.SamplerParameteri(names[0], GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.BindSampler(0, names[0]);
+    gl.ActiveTexture(GL_TEXTURE2);
+    gl.GenVertexArrays(1, names);
+    gl.BindVertexArray(names[0]);
+    gl.GenBuffers(2, names);
+    gl.BindBuffer(GL_ARRAY_BUFFER, names[0]);
+    gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, names[1]);
+    gl.BindBuffer(GL_PIXEL_UNPACK_BUFFER, names[1]);
+    gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 17);
+    gl.PixelStorei(GL_UNPACK_SKIP_ROWS, 2);
+    for (const GLenum name :
+         {GL_CULL_FACE, GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_DEPTH_CLAMP, GL_PRIMITIVE_RESTART,
+          GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE3, GL_PROGRAM_POINT_SIZE})
+        gl.Enable(name);
+    if (!core) {
+        gl.Enable(GL_ALPHA_TEST);
+        gl.AlphaFunc(GL_GREATER, 0.9f);
+        gl.Enable(GL_POLYGON_STIPPLE);
+        const GLubyte holes[128] = {};
+        gl.PolygonStipple(holes);
+    }
+    gl.CullFace(GL_FRONT_AND_BACK);
+    gl.LogicOp(GL_CLEAR);
+    gl.PolygonOffset(1.0f, 1e6f);
+    gl.PrimitiveRestartIndex(0);
+    gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    gl.FrontFace(GL_CW);
+    gl.BlendFuncSeparate(GL_ZERO, GL_ONE, GL_DST_COLOR, GL_DST_ALPHA);
+    gl.BlendEquationSeparate(GL_MAX, GL_FUNC_SUBTRACT);
+    gl.DepthFunc(GL_NEVER);
+    gl.PointSize(5.0f);
+    gl.Viewport(3, 4, 20, 10);
+}
+
+/// All integers of OpenGL's state that a scene touches, by their names.
+std::map<GLenum, std::vector<GLint>> stateOf(const GladGLContext& gl)
+{
+    std::map<GLenum, std::vector<GLint>> state;
+    for (const GLenum name : {GL_CURRENT_PROGRAM,
+                              GL_VERTEX_ARRAY_BINDING,
+                              GL_ARRAY_BUFFER_BINDING,
+                              GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                              GL_PIXEL_UNPACK_BUFFER_BINDING,
+                              GL_UNPACK_ROW_LENGTH,
+                              GL_UNPACK_SKIP_ROWS,
+                              GL_UNPACK_ALIGNMENT,
+                              GL_ACTIVE_TEXTURE,
+                              GL_BLEND,
+                              GL_BLEND_SRC_RGB,
+                              GL_BLEND_DST_RGB,
+                              GL_BLEND_SRC_ALPHA,
+                              GL_BLEND_DST_ALPHA,
+                              GL_BLEND_EQUATION_RGB,
+                              GL_BLEND_EQUATION_ALPHA,
+                              GL_DEPTH_TEST,
+                              GL_DEPTH_FUNC,
+                              GL_DEPTH_WRITEMASK,
+                              GL_CULL_FACE,
+                              GL_COLOR_LOGIC_OP,
+                              GL_POLYGON_OFFSET_FILL,
+                              GL_DEPTH_CLAMP,
+                              GL_PRIMITIVE_RESTART,
+                              GL_CLIP_DISTANCE0,
+                              GL_CLIP_DISTANCE1,
+                              GL_CLIP_DISTANCE3,
+                              GL_PROGRAM_POINT_SIZE,
+                              GL_FRONT_FACE,
+                              GL_POLYGON_MODE,
+                              GL_VIEWPORT,
+                              GL_POINT_SIZE,
+                              GL_DRAW_FRAMEBUFFER_BINDING,
+                              GL_READ_FRAMEBUFFER_BINDING,
+                              GL_RENDERBUFFER_BINDING,
+                              GL_SCISSOR_TEST,
+                              GL_STENCIL_TEST,
+                              GL_COLOR_WRITEMASK}) {
+        std::vector<GLint>& values = state[name];
+        values.resize(4);
+        gl.GetIntegerv(name, values.data());
+    }
+    GLint active = 0;
+    gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    for (GLenum unit = GL_TEXTURE0; unit < GL_TEXTURE0 + 8; ++unit) {
+        gl.ActiveTexture(unit);
+        for (const GLenum name : {GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_2D, GL_SAMPLER_BINDING}) {
+            GLint value = 0;
+            gl.GetIntegerv(name, &value);
+            state[unit].push_back(value);
+        }
+    }
+    gl.ActiveTexture(static_cast<GLenum>(active));
+    return state;
+}
+
+TEST_P(SceneDrawing, stateOfTheCallerIsGivenBackAndDoesNotDisturb)
+{
+    const StyledScene scene = fullScene();
+    const std::vector<float> expected = picture(scene);
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    disturb(gl(), GetParam() == OffscreenProfile::Core);
+    const auto before = stateOf(gl());
+    SceneDrawer fresh; // sends its textures in this state
+    fresh.draw(scene);
+    EXPECT_EQ(stateOf(gl()), before);
+    EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
+    gl().BindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    EXPECT_EQ(context_->readFloats(), expected);
+}
+
+TEST_P(SceneDrawing, scissorAndColorMaskOfTheCallerCount)
+{
+    const StyledScene scene = fullScene();
+    const std::vector<float> expected = picture(scene);
+    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl().Enable(GL_SCISSOR_TEST);
+    gl().Scissor(10, 12, 30, 31);
+    gl().ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
+    drawer_.draw(scene);
+    const std::vector<float> drawn = context_->readFloats();
+    for (int y = 0; y < kPixels; ++y)
+        for (int x = 0; x < kPixels; ++x) {
+            const bool inside = x >= 10 && x < 40 && y >= 12 && y < 43;
+            ASSERT_EQ(pixelAt(drawn, x, y)[0], inside ? pixelAt(expected, x, y)[0] : 0.0f) << x << " " << y;
+            ASSERT_EQ(pixelAt(drawn, x, y)[1], 0.0f);
+        }
+}
+
+// ---- What cannot be drawn
+
+std::string failureOf(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST_P(SceneDrawing, texturesThatTheDriverCannotHoldAreNamed)
+{
+    auto wide = std::make_shared<VoxelTexture>();
+    wide->size = {1 << 20, 1, 1};
+    wide->texels.resize(1 << 20);
+    StyledScene scene = sceneOf(constant(0.2), true);
+    scene.volumes[0].voxels = wide;
+    EXPECT_NE(failureOf([&] { picture(scene); }).find("1048576 x 1 x 1"), std::string::npos);
+    wide->size = {16, 16, 16};
+    wide->texels.resize(100);
+    EXPECT_NE(failureOf([&] { picture(scene); }).find("100 bytes"), std::string::npos);
+    scene.volumes[0].voxels = constant(0.2);
+    EXPECT_EQ(failureOf([&] { picture(scene); }), "");
+}
+
+TEST_P(SceneDrawing, spacingsThatAreTooFineAreNamed)
+{
+    StyledScene scene = sceneOf(constant(0.2), true);
+    scene.volumes[0].spacing = 1e-9;
+    EXPECT_NE(failureOf([&] { picture(scene); }).find("sampling planes"), std::string::npos);
+}
+
+TEST_P(SceneDrawing, contextsAreNeeded)
+{
+    const StyledScene scene = sceneOf(constant(0.2), true);
+    context_->release();
+    SceneDrawer drawer;
+    EXPECT_NE(failureOf([&] { drawer.draw(scene); }).find("no OpenGL context"), std::string::npos);
+    ASSERT_TRUE(context_->makeCurrent());
+    picture(scene);
+    context_->release();
+    EXPECT_NE(failureOf([&] { drawer_.draw(scene); }).find("not current"), std::string::npos);
+    ASSERT_TRUE(context_->makeCurrent());
+}
+
+TEST_P(SceneDrawing, volumesAndSurfacesWithoutSenseAreLeftOut)
+{
+    const StyledScene scene = sceneOf(constant(0.2), true);
+    const auto isClear = [this](const StyledScene& changed) {
+        const std::vector<float> drawn = picture(changed);
+        return std::ranges::all_of(drawn, [](float value) { return value == 0.0f; });
+    };
+    EXPECT_FALSE(isClear(scene));
+    const auto changed = [&](const std::function<void(StyledVolume&)>& change) {
+        StyledScene copy = scene;
+        change(copy.volumes[0]);
+        return copy;
+    };
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.voxels = nullptr; })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.dimensions.y = 0.0f; })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.spacing = 0.0; })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.unitLength = NAN; })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.chains.clear(); })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.worldFromLocal = glm::dmat4(0.0); })));
+    EXPECT_TRUE(isClear(changed([](StyledVolume& volume) { volume.segments.emplace(); })));
+    StyledScene surface = scene;
+    surface.volumes.clear();
+    surface.surfaces = {pane({0, 0, 0}, 0.0, {1, 0, 0}, 0.0f), pane({0, 0, 0}, 0.0, {1, 0, 0}, 0.5f)};
+    EXPECT_FALSE(isClear(surface));
+    for (StyledSurface& changedSurface : surface.surfaces)
+        changedSurface.triangles[3] = 4;
+    EXPECT_TRUE(isClear(surface));
+}
+
+TEST_P(SceneDrawing, texturesThatAreForgottenComeBack)
+{
+    const StyledScene scene = turnedScene({}), other = sceneOf(constant(0.2), true);
+    const std::vector<float> expected = picture(scene);
+    for (int i = 0; i < 40; ++i)
+        picture(other);
+    EXPECT_EQ(picture(scene), expected);
 }
 
 } // namespace

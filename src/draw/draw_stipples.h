@@ -1,0 +1,26 @@
+#pragma once
+
+#include "draw/scene_resources.h"
+#include "draw/surface_program.h"
+#include "style/styled_scene.h"
+
+namespace vo {
+
+/// The points of all stippled volumes of a picture: opaque, a pixel each.
+class DrawnStipples
+{
+public:
+    explicit DrawnStipples(SceneResources& resources) : resources_(resources), arrays_(resources.context) {}
+
+    void prepare(const StyledScene& scene);
+    bool empty() const { return count_ == 0; }
+    /// With the depth test that is set: their colours, or their eye depths.
+    void draw(const StyledScene& scene, SurfaceLook look);
+
+private:
+    SceneResources& resources_;
+    SceneArrays arrays_;
+    GLsizei count_ = 0;
+};
+
+} // namespace vo
