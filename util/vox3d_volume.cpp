@@ -216,7 +216,7 @@ private:
         if (is("edge") || is("composed")) styles.push_back(edge());
         if (is("silhouette") || is("composed")) styles.push_back(silhouette());
         if (is("tone")) styles.push_back(tone());
-        if (is("shaded") || is("composed")) styles.push_back(shaded(false));
+        if (is("shaded") || is("composed")) styles.push_back(shaded());
         if (is("stipple")) styles.push_back(node("StippleVolumeStyle"));
         if (is("blended")) styles.push_back(blended());
     }
@@ -255,16 +255,21 @@ private:
         return style;
     }
 
-    voX3DNode shaded(bool withMaterial)
+    voX3DNode shaded()
     {
         voX3DNode style = node("ShadedVolumeStyle");
         style.setInt("lighting", 1);
-        if (!withMaterial) return style;
-        voX3DNode material = node("Material");
-        setColor(material, "diffuseColor", {0.9, 0.85, 0.75});
-        setColor(material, "specularColor", {0.2, 0.2, 0.2});
-        style.setNode("material", material);
         return style;
+    }
+
+    /// Opaque ivory, whatever the value is.
+    voX3DNode surface()
+    {
+        const int image[4] = {1, 1, 3, 0xe6d9bf};
+        voX3DNode texture = node("PixelTexture"), map = node("OpacityMapVolumeStyle");
+        texture.setInts("image", image, 4);
+        map.setNode("transferFunction", texture);
+        return composed({map, shaded()});
     }
 
     /// Half the style's colours, half those of a cartoon of the same voxels.
@@ -303,7 +308,7 @@ private:
         const double range = std::max(values_.scene.high - values_.scene.low, 1e-30);
         const auto value = static_cast<float>((at - values_.scene.low) / range);
         volume.setFloats("surfaceValues", &value, 1);
-        const voX3DNode style = shaded(true);
+        const voX3DNode style = surface();
         volume.setNodes("renderStyle", &style, 1);
         return volume;
     }

@@ -1,0 +1,74 @@
+// Views of scenes in OpenGL: both engines draw the picture that is there without it.
+
+#include "offscreen/offscreen.h" // before headers that name OpenGL's own
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+
+#include <vo/Error.h>
+#include <vo/x3d/View.h>
+
+namespace {
+
+constexpr const char* kScene =
+    "<X3D profile='Full' version='4.0'><Scene><Background skyColor='0 0 0.25' transparency='0'/>"
+    "<Viewpoint position='0 0 6'/><Transform rotation='1 1 0 0.6'><VolumeData dimensions='2 2 2'>"
+    "<PixelTexture3D containerField='voxels' image='1 2 2 2 10 60 120 180 240 30 90 150'/>"
+    "</VolumeData></Transform></Scene></X3D>";
+
+TEST(ViewGl, bothEnginesDrawThePictureThatIsThereWithoutOpenGl)
+{
+    constexpr int kWidth = 60, kHeight = 50;
+    std::string whyNot;
+    const auto context = vo::openOffscreen({.width = kWidth, .height = kHeight, .floatColor = true}, &whyNot);
+    ASSERT_TRUE(context) << whyNot;
+    voX3DScene scene;
+    ASSERT_TRUE(scene.readText(kScene, std::char_traits<char>::length(kScene), "test"));
+    voX3DView view(scene);
+    view.setSize(kWidth, kHeight);
+    std::vector<float> expected(4 * kWidth * kHeight);
+    ASSERT_TRUE(view.picture(expected.data()));
+    for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST, voEngineScope::AUTOMATIC}) {
+        context->clear();
+        const GladGLContext& gl = context->gl();
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(0, 0, kWidth, kHeight);
+        gl.Viewport(1, 2, 3, 4);
+        ASSERT_TRUE(view.draw(engine)) << voError::getErrorString();
+        GLint viewport[4];
+        gl.GetIntegerv(GL_VIEWPORT, viewport);
+        EXPECT_EQ(viewport[3], 4) << "state is given back";
+        EXPECT_EQ(gl.GetError(), GLenum(GL_NO_ERROR));
+        const auto found = context->readFloats();
+        double most = 0;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            most = std::max(most, double(std::abs(found[i] - expected[i])));
+        EXPECT_LT(most, engine == voEngineScope::CAST ? 1e-6 : 0.01) << engine;
+    }
+    view.releaseDrawing();
+    EXPECT_GT(expected[4 * (25 * kWidth + 30)], 0.1f) << "the volume is seen";
+}
+
+TEST(ViewGl, anotherContextIsRefusedUntilDrawingIsReleased)
+{
+    const auto first = vo::openOffscreen({.width = 8, .height = 8}),
+               second = vo::openOffscreen({.width = 8, .height = 8});
+    ASSERT_TRUE(first && second);
+    voX3DScene scene;
+    ASSERT_TRUE(scene.readText(kScene, std::char_traits<char>::length(kScene), "test"));
+    voX3DView view(scene);
+    view.setSize(8, 8);
+    ASSERT_TRUE(first->makeCurrent());
+    EXPECT_TRUE(view.draw());
+    ASSERT_TRUE(second->makeCurrent());
+    EXPECT_FALSE(view.draw());
+    EXPECT_EQ(voError::getErrorNumber(), voError::UNSUPPORTED);
+    ASSERT_TRUE(first->makeCurrent());
+    view.releaseDrawing();
+    ASSERT_TRUE(second->makeCurrent());
+    EXPECT_TRUE(view.draw());
+    view.releaseDrawing();
+}
+
+} // namespace
