@@ -211,7 +211,8 @@ private:
             placed.chains = {{}};
             return true;
         }
-        DrawnStyle drawn = VolumeStyles(textures, messages).of(style, style->edition(), *placed.voxels);
+        DrawnStyle drawn =
+            VolumeStyles(textures, messages).of(style, style->edition(), {*placed.voxels, placed.dimensions});
         if (drawn.isSurface) placed.surfaces = IsoSurfaces{{0.5f}, {drawn.chain}, 0.0f, nullptr};
         placed.chains = {std::move(drawn.chain)};
         placed.projection = drawn.projection;
