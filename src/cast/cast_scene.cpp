@@ -225,6 +225,7 @@ struct SceneCaster::Private
             if (!kept && voxels.contains(serial)) kept = voxels[serial];
             if (!kept) kept = std::make_shared<PaddedVoxels>(*styled.voxels, threads);
             volumes.back().voxels = kept;
+            volumes.back().findClear();
         }
         voxels = std::move(used);
         return volumes;

@@ -44,6 +44,8 @@ ChainPlan::ChainPlan(const StyleChain& whole) : chain(effectiveChain(whole))
         ++withoutNormals;
     keepsClear =
         std::all_of(chain.begin(), chain.end(), [](const auto& style) { return style->keepsClear(); });
+    needsPosition =
+        std::any_of(chain.begin(), chain.end(), [](const auto& style) { return style->needsPosition(); });
     beginsWithVoxel = chain.empty() || !chain.front()->replacesColor();
 }
 
@@ -60,6 +62,16 @@ CastVolume::CastVolume(const StyledVolume& volume, const SceneRays& rays)
     if (volume.tetras) tetras.emplace(*volume.tetras, localFromEye);
     if (volume.surfaces && volume.surfaces->gradients && isUsable(*volume.surfaces->gradients))
         gradients = SurfaceNormals(volume.surfaces->gradients);
+}
+
+void CastVolume::findClear()
+{
+    if (styled->voxels->components != 1) return;
+    const bool samples = !styled->surfaces && !styled->projection;
+    if (samples) clear = ClearValues(plans);
+    if (styled->tetras || voxels->blockRanges().empty()) return;
+    if (styled->surfaces) blocks = ClearBlocks(*voxels, *styled->surfaces);
+    if (samples) blocks = ClearBlocks(*voxels, clear);
 }
 
 void CastVolume::read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cast/clear_blocks.h"
+#include "cast/clear_values.h"
 #include "cast/padded_voxels.h"
 #include "cast/scene_rays.h"
 #include "cast/scene_tetras.h"
@@ -21,6 +23,7 @@ struct ChainPlan
     bool keepsClear = true;
     /// What firstColor() makes of a voxel is what the chain begins with.
     bool beginsWithVoxel = true;
+    bool needsPosition = false;
 
     explicit ChainPlan(const StyleChain& whole);
 };
@@ -36,6 +39,11 @@ struct CastVolume
     float shortestEdge = 1.0f;         ///< of a voxel, local
     std::optional<CastTetras> tetras;
     SurfaceNormals gradients{nullptr}; ///< of IsoSurfaces
+    ClearValues clear;                 ///< samples of them are left out
+    ClearBlocks blocks;                ///< that are leapt over
+
+    /// Finds what is clear, once the voxels are there.
+    void findClear();
 
     /// `voxels` is left to the caller. Borrows both.
     CastVolume(const StyledVolume& styled, const SceneRays& rays);

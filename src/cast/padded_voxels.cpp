@@ -2,6 +2,8 @@
 
 #include "core/parallel.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -71,6 +73,49 @@ PaddedVoxels::PaddedVoxels(const VoxelTexture& texture, int threads)
     case TexelKind::uint16: fill<std::uint16_t>(texture, threads); break;
     case TexelKind::float32: fill<float>(texture, threads); break;
     }
+    if (texture.components != 1 || repeats_ != std::array{false, false, false}) return;
+    switch (kind_) {
+    case TexelKind::uint8: findRanges<std::uint8_t>(threads); break;
+    case TexelKind::uint16: findRanges<std::uint16_t>(threads); break;
+    case TexelKind::float32: findRanges<float>(threads); break;
+    }
+}
+
+glm::vec3 PaddedVoxels::cellOf(const glm::vec3& place) const
+{
+    const glm::vec3 size(size_.x, size_.y, size_.z);
+    const glm::vec3 inside = glm::clamp(place, 0.0f, 1.0f) * size;
+    return inside + (nearest_ ? 0.0f : -0.5f) + static_cast<float>(kPadding);
+}
+
+/// The voxels at the far faces of a block are those of its last cells, too.
+template <class T>
+void PaddedVoxels::findRanges(int threads)
+{
+    constexpr int kEdge = 1 << kBlockShift;
+    const glm::ivec3 padded = glm::ivec3(size_.x, size_.y, size_.z) + 2 * kPadding;
+    blockCount_ = (padded + kEdge - 1) / kEdge;
+    const auto inSlice = static_cast<std::size_t>(blockCount_.x) * static_cast<std::size_t>(blockCount_.y);
+    ranges_.resize(inSlice * static_cast<std::size_t>(blockCount_.z));
+    const T* const numbers = reinterpret_cast<const T*>(memory_.data());
+    parallelFor(static_cast<std::size_t>(blockCount_.z), threads, [&](std::size_t blockZ) {
+        for (std::size_t i = 0; i < inSlice; ++i) {
+            const auto across = static_cast<std::size_t>(blockCount_.x);
+            const glm::ivec3 first = glm::ivec3(i % across, i / across, blockZ) * kEdge;
+            const glm::ivec3 last = glm::min(first + kEdge, padded - 1);
+            T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
+            for (int z = first.z; z <= last.z; ++z)
+                for (int y = first.y; y <= last.y; ++y) {
+                    const T* const row = numbers + z * slice_ + y * row_;
+                    for (int x = first.x; x <= last.x; ++x) {
+                        low = std::min(low, row[x]);
+                        high = std::max(high, row[x]);
+                    }
+                }
+            ranges_[blockZ * inSlice + i] = {static_cast<float>(low) * unit_,
+                                             static_cast<float>(high) * unit_};
+        }
+    });
 }
 
 template <class T>

@@ -4,8 +4,11 @@
 #include "style/sample_batch.h"
 #include "style/voxel_texture.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace vo {
 
@@ -15,6 +18,12 @@ class PaddedVoxels
 {
 public:
     static constexpr int kPadding = 2;
+    /// Edges of the blocks of cells whose range is known.
+    static constexpr int kBlockShift = 3;
+    struct Range
+    {
+        float low, high;
+    };
 
     /// Of a texture that isUsable(): its one component, or the mean of the first three (two components: the
     /// first). In up to `threads` threads. Throws std::bad_alloc.
@@ -27,6 +36,12 @@ public:
     void changes(int count, const BatchVectors& place, BatchVectors& change) const;
 
     const VoxelSize& size() const { return size_; }
+    /// The cell in which a place from 0 to 1 lies, and how far in it, without what repeats.
+    glm::vec3 cellOf(const glm::vec3& place) const;
+    /// What values the cells of each block have, x fastest; none for textures of several components, or that
+    /// repeat.
+    const glm::ivec3& blockCount() const { return blockCount_; }
+    const std::vector<Range>& blockRanges() const { return ranges_; }
     std::size_t bytes() const { return memory_.size(); }
 
 private:
@@ -39,6 +54,9 @@ private:
     template <class T>
     void changesOf(int count, const BatchVectors& place, BatchVectors& change) const;
 
+    template <class T>
+    void findRanges(int threads);
+
     VoxelSize size_;
     TexelKind kind_ = TexelKind::uint8;
     bool nearest_ = false;
@@ -46,6 +64,8 @@ private:
     float unit_ = 1.0f; ///< of a stored number
     std::ptrdiff_t row_ = 0, slice_ = 0;
     KeptArray<std::byte> memory_;
+    glm::ivec3 blockCount_{0};
+    std::vector<Range> ranges_;
 };
 
 /// True if the texture has all the texels it says, one to four components each.

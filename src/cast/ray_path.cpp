@@ -51,6 +51,7 @@ bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const Tetr
 /// Goes on to the next piece that has planes.
 void RayPath::toPlanes()
 {
+    leapt_ = false;
     while (piece_ < pieces_.size() && pieces_[piece_].first > pieces_[piece_].last)
         ++piece_;
     if (piece_ < pieces_.size()) plane_ = pieces_[piece_].first;
@@ -72,9 +73,20 @@ void RayPath::addPiece(DepthRange depths, const DepthRay& place, int tetra)
 
 bool RayPath::next(SampleChunk& chunk)
 {
+    std::int64_t most = kChunkSize, over = 0;
+    if (!volume_.blocks.empty()) {
+        // Surfaces lie between two samples: the first and the last that are clear are looked at.
+        if (volume_.styled->surfaces) {
+            over = leapt_ ? 0 : clearPlanes() - 2;
+            if (over > 0) most = 1;
+        } else {
+            leap();
+        }
+        leapt_ = over > 0;
+    }
     if (piece_ == pieces_.size()) return false;
     const Piece& piece = pieces_[piece_];
-    chunk.count = static_cast<int>(std::min<std::int64_t>(kChunkSize, piece.last - plane_ + 1));
+    chunk.count = static_cast<int>(std::min(most, piece.last - plane_ + 1));
     chunk.plane = plane_;
     chunk.piece = piece_;
     const glm::dvec3 start = piece.place.at(depthOf(plane_));
@@ -85,12 +97,38 @@ bool RayPath::next(SampleChunk& chunk)
             chunk.place[static_cast<std::size_t>(axis)][i] = from + static_cast<float>(i) * step;
     }
     volume_.read(chunk.count, chunk.place, chunk.voxel);
-    plane_ += chunk.count;
-    if (plane_ > piece.last) {
-        ++piece_;
-        toPlanes();
-    }
+    plane_ += chunk.count + std::max<std::int64_t>(over, 0);
+    finishPiece();
     return true;
+}
+
+void RayPath::finishPiece()
+{
+    if (plane_ <= pieces_[piece_].last) return;
+    ++piece_;
+    toPlanes();
+}
+
+/// Goes to the next plane that does not lie in a clear block.
+void RayPath::leap()
+{
+    while (piece_ < pieces_.size()) {
+        const std::int64_t clear = clearPlanes();
+        if (clear == 0) return;
+        plane_ += clear;
+        finishPiece();
+    }
+}
+
+/// How many planes from the next one on lie in clear blocks at least.
+std::int64_t RayPath::clearPlanes() const
+{
+    if (piece_ == pieces_.size()) return 0;
+    const DepthRay& place = pieces_[piece_].place;
+    const VoxelSize& size = volume_.voxels->size();
+    const glm::vec3 cell = volume_.voxels->cellOf(glm::vec3(place.at(depthOf(plane_))));
+    const glm::vec3 step(place.direction * volume_.styled->spacing * glm::dvec3(size.x, size.y, size.z));
+    return std::min<std::int64_t>(volume_.blocks.leap(cell, step), pieces_[piece_].last - plane_ + 1);
 }
 
 const RayPath::Piece* RayPath::pieceAt(double depth) const

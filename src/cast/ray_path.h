@@ -55,12 +55,16 @@ public:
 private:
     void addPiece(DepthRange depths, const DepthRay& place, int tetra);
     void toPlanes();
+    void leap();
+    std::int64_t clearPlanes() const;
+    void finishPiece();
 
     const CastVolume& volume_;
     DepthRay local_;
     std::vector<Piece> pieces_;
     std::size_t piece_ = 0;
     std::int64_t plane_ = 0;
+    bool leapt_ = false;                    ///< plane_ is the last of those that were leapt over
     std::optional<std::int64_t> lastPlane_; ///< of the pieces added so far
 };
 

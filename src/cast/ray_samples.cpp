@@ -25,12 +25,12 @@ void placeSamples(const DepthRay& local, RaySamples& samples)
 }
 
 /// Moves those with opacity to the front; the others are left behind.
-void dropClear(RaySamples& samples)
+void dropClear(RaySamples& samples, int components)
 {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(samples.batch.count); ++i) {
         if (!(samples.batch.Ov[i] > 0.0f)) continue;
-        if (kept != i) samples.copy(samples, i, kept);
+        if (kept != i) samples.copy(samples, i, kept, components);
         ++kept;
     }
     samples.batch.count = static_cast<int>(kept);
@@ -38,9 +38,9 @@ void dropClear(RaySamples& samples)
 
 } // namespace
 
-void RaySamples::copy(const RaySamples& from, std::size_t source, std::size_t target)
+void RaySamples::copy(const RaySamples& from, std::size_t source, std::size_t target, int components)
 {
-    for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(components); ++c)
         batch.voxel[c][target] = from.batch.voxel[c][source];
     for (std::size_t axis = 0; axis < 3; ++axis) {
         batch.place[axis][target] = from.batch.place[axis][source];
@@ -57,6 +57,7 @@ void RaySamples::copy(const RaySamples& from, std::size_t source, std::size_t ta
 template <class Shade>
 void SampleShader::forChains(RaySamples& samples, const Shade& shade)
 {
+    if (volume_.plans.size() == 1) return shade(volume_.plans[0], samples);
     const auto count = static_cast<std::size_t>(samples.batch.count);
     std::array<bool, kBatchSize> done{};
     for (std::size_t first = 0; first < count; ++first) {
@@ -64,7 +65,7 @@ void SampleShader::forChains(RaySamples& samples, const Shade& shade)
         std::size_t taken = 0;
         for (std::size_t i = first; i < count; ++i) {
             if (samples.chain[i] != samples.chain[first]) continue;
-            group_.copy(samples, i, taken);
+            group_.copy(samples, i, taken, volume_.styled->voxels->components);
             group_.number[taken++] = i;
             samples.batch.Ov[i] = 0.0f;
             done[i] = true;
@@ -89,14 +90,15 @@ void SampleShader::shadeChain(const DepthRay& local, const ChainPlan& plan, RayS
 {
     const std::size_t steps = plan.chain.size();
     firstColor(volume_.styled->voxels->components, samples.batch);
-    placeSamples(local, samples);
+    if (plan.needsPosition) placeSamples(local, samples);
     apply(plan, 0, plan.withoutNormals, samples.batch);
     if (plan.withoutNormals == steps) return;
     const bool clearStays =
         plan.keepsClear && !volume_.styled->projection && (plan.withoutNormals > 0 || plan.beginsWithVoxel);
     if (clearStays) {
-        dropClear(samples);
-        placeSamples(local, samples);
+        const int before = samples.batch.count;
+        dropClear(samples, volume_.styled->voxels->components);
+        if (plan.needsPosition && samples.batch.count != before) placeSamples(local, samples);
     }
     findNormals(samples);
     apply(plan, plan.withoutNormals, steps, samples.batch);

@@ -14,7 +14,7 @@ struct RaySamples
     std::array<std::size_t, kBatchSize> number{}; ///< among all that were collected together
 
     /// Copies what is known before styles come to it, and Cv and Ov.
-    void copy(const RaySamples& from, std::size_t source, std::size_t target);
+    void copy(const RaySamples& from, std::size_t source, std::size_t target, int components);
 };
 
 /// Makes colours of samples by the chains of a volume; each thread has its own.

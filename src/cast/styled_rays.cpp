@@ -46,6 +46,9 @@ bool StyledRay::begin(const DepthRay& ray, DepthRange depths, double opaque, std
     wanted_ = kChunkSize;
     if (!path_.begin(ray, depths, spans)) return false;
     units_ = static_cast<float>(path_.unitsOfSample());
+    series_[0] = units_;
+    for (std::size_t i = 1; i < 4; ++i)
+        series_[i] = series_[i - 1] * (static_cast<float>(i) - units_) / static_cast<float>(i + 1);
     return true;
 }
 
@@ -71,25 +74,41 @@ bool StyledRay::collectSamples()
     samples_.batch.count = 0;
     while (samples_.batch.count + kChunkSize <= wanted_ && path_.next(chunk_))
         for (std::size_t i = 0; i < static_cast<std::size_t>(chunk_.count); ++i)
-            if (!dropsFirstClear_ || firstOpacity(volume_.styled->voxels->components, chunk_.voxel, i) > 0.0f)
-                take(chunk_, i);
+            if (!isClear(i)) take(chunk_, i);
     // Rays that end soon shade little, those that do not shade many samples at a time.
     wanted_ = std::min(2 * wanted_, kBatchSize);
     return samples_.batch.count > 0;
 }
 
+bool StyledRay::isClear(std::size_t i) const
+{
+    const int components = volume_.styled->voxels->components;
+    if (components == 1) return volume_.clear.has(chunk_.voxel[0][i]);
+    return dropsFirstClear_ && firstOpacity(components, chunk_.voxel, i) <= 0.0f;
+}
+
 void StyledRay::take(const SampleChunk& chunk, std::size_t i)
 {
-    const int chain = volume_.chainAt({chunk.place[0][i], chunk.place[1][i], chunk.place[2][i]});
+    const int chain = !volume_.styled->segments
+                          ? 0
+                          : volume_.chainAt({chunk.place[0][i], chunk.place[1][i], chunk.place[2][i]});
     if (chain < 0) return;
     const auto to = static_cast<std::size_t>(samples_.batch.count++);
-    for (std::size_t c = 0; c < 4; ++c)
+    for (std::size_t c = 0; c < static_cast<std::size_t>(volume_.styled->voxels->components); ++c)
         samples_.batch.voxel[c][to] = chunk.voxel[c][i];
     for (std::size_t axis = 0; axis < 3; ++axis)
         samples_.batch.place[axis][to] = chunk.place[axis][i];
     samples_.depth[to] = path_.depthOf(chunk.plane + static_cast<std::int64_t>(i));
     samples_.tetra[to] = path_.piece(chunk.piece).tetra;
     samples_.chain[to] = chain;
+}
+
+/// 1 - (1 - opacity)^units: the binomial series where its fifth term is below 1e-6.
+float StyledRay::alphaOf(float opacity) const
+{
+    if (opacity > 0.125f || units_ > 4.0f) return -std::expm1(units_ * std::log1p(-opacity));
+    const auto& [first, second, third, fourth] = series_;
+    return opacity * (first + opacity * (second + opacity * (third + opacity * fourth)));
 }
 
 void StyledRay::emit(FragmentRun& run) const
@@ -99,7 +118,7 @@ void StyledRay::emit(FragmentRun& run) const
         const float opacity = std::min(batch.Ov[i], 1.0f);
         if (!(opacity > 0.0f)) continue;
         const bool ofLength = opacity < 1.0f && !volume_.styled->surfaces;
-        const float alpha = ofLength ? -std::expm1(units_ * std::log1p(-opacity)) : opacity;
+        const float alpha = ofLength ? alphaOf(opacity) : opacity;
         run.add(samples_.depth[i], colorOf(batch, i), alpha);
     }
 }

@@ -52,6 +52,8 @@ private:
 
     bool collectSamples();
     void take(const SampleChunk& chunk, std::size_t i);
+    bool isClear(std::size_t i) const;
+    float alphaOf(float opacity) const;
     void emit(FragmentRun& run) const;
 
     bool collectCrossings();
@@ -71,6 +73,7 @@ private:
     bool dropsFirstClear_ = false;
     bool projected_ = false;
     float units_ = 1.0f;
+    std::array<float, 4> series_{};
     double opaque_ = 0.0;
     std::optional<Before> before_;
     std::vector<Crossing> crossings_;

@@ -43,6 +43,12 @@ public:
     }
 
     bool replacesColor() const override { return true; }
+    bool isClear(float low, float high) const override
+    {
+        if (voxelComponents_ != 1) return false;
+        if (function_) return function_.isClear(low, high);
+        return opaqueAtZero_ ? low >= 1.0f : high <= 0.0f;
+    }
     void apply(const StyleSurroundings&, SampleBatch& samples) const override;
     void write(GlslChain& chain) const override;
 

@@ -53,6 +53,9 @@ public:
     /// A sample without opacity stays without. One that replacesColor() says so too: in an effectiveChain()
     /// it stands first or nowhere, so engines leave out clear samples after the first step alone.
     virtual bool keepsClear() const { return true; }
+    /// No sample has opacity after it whose voxel lies within low to high: known of styles that
+    /// replaceColor(), for voxels of one component.
+    virtual bool isClear(float low, float high) const { return low > high; }
     /// Changes Cv and Ov of all samples.
     virtual void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const = 0;
     /// Adds its function and its call (glsl_chain.h).

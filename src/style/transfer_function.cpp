@@ -43,6 +43,19 @@ TransferFunction::TransferFunction(std::shared_ptr<const VoxelTexture> texture, 
         row_ = firstRow(*texture_);
 }
 
+bool TransferFunction::isClear(float low, float high) const
+{
+    if (row_.empty() || components() % 2 != 0) return false; // odd: opaque
+    const auto size = static_cast<float>(row_.size());
+    // One texel more on each side than values between them read.
+    const auto first = static_cast<std::size_t>(std::clamp(std::floor(low * size - 1.5f), 0.0f, size - 1.0f));
+    const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high * size + 0.5f), 0.0f, size - 1.0f));
+    const int alpha = components() - 1;
+    for (std::size_t i = first; i <= last; ++i)
+        if (!(row_[i][alpha] <= 0.0f)) return false;
+    return true;
+}
+
 void TransferFunction::sample(int count, BatchVectors& place, std::array<BatchFloats, 4>& texels) const
 {
     if (!row_.empty()) {

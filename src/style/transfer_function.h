@@ -23,6 +23,8 @@ public:
 
     explicit operator bool() const { return texture_ != nullptr; }
     int components() const { return texture_->components; }
+    /// All values from low to high along the one axis have an alpha of 0; false where there are more axes.
+    bool isClear(float low, float high) const;
 
     /// The texels of `count` values; `place` is changed on the way.
     void sample(int count, BatchVectors& place, std::array<BatchFloats, 4>& texels) const;

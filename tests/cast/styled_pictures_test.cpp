@@ -279,6 +279,38 @@ TEST(styledPictures, tetrahedraCarryPlacesAndNormals)
     expectReference(sceneOf(true, volume), "tetrahedra, surface");
 }
 
+TEST(styledPictures, whatIsLeaptOverHasNothing)
+{
+    // Blobs far apart, and a lone voxel here and there.
+    const auto blobs = [](const glm::vec3& p, int) {
+        const glm::vec3 cell = glm::fract(p * 2.0f) - 0.5f;
+        const bool lone = std::fmod(std::floor(p.x * 50.0f) * 7.0f + std::floor(p.y * 42.0f) * 13.0f +
+                                        std::floor(p.z * 46.0f) * 29.0f,
+                                    997.0f) < 1.0f;
+        return lone ? 1.0f : std::max(0.0f, 0.9f - 4.0f * glm::length(cell));
+    };
+    vo::OpacityMap narrow;
+    narrow.transferFunction = bytesOf({256, 1, 1}, 2, [](const glm::vec3& p, int c) {
+        return c == 0 || std::abs(p.x - 0.4f) < 0.02f ? 1.0f : 0.0f;
+    });
+    vo::OpacityMap reversed;
+    reversed.opaqueAtZero = true;
+    for (const bool perspective : {false, true}) {
+        vo::StyledVolume volume = turnedVolume();
+        volume.voxels = bytesOf({50, 42, 46}, 1, blobs);
+        volume.unitLength = volume.spacing = 0.14;
+        expectReference(sceneOf(perspective, volume), "sparse");
+        volume.chains = {{styleWithReference(narrow), styleWithReference(vo::ToneMapped{})}};
+        expectReference(sceneOf(perspective, volume), "narrow");
+        volume.chains = {{styleWithReference(reversed)}};
+        volume.unitLength = 3.0;
+        expectReference(sceneOf(perspective, volume), "opaque at zero");
+        volume.chains = {{styleWithReference(vo::ToneMapped{})}};
+        volume.surfaces = vo::IsoSurfaces{{0.2f, 0.5f, 0.95f}, volume.chains, 0.0f, nullptr};
+        expectReference(sceneOf(perspective, volume), "surfaces");
+    }
+}
+
 vo::StyledSurface ball(const glm::dvec3& at, double radius)
 {
     vo::StyledSurface surface;

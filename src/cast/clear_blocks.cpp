@@ -1,0 +1,61 @@
+#include "cast/clear_blocks.h"
+
+#include "cast/empty_blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace vo {
+
+template <class IsClear>
+void ClearBlocks::mark(const PaddedVoxels& voxels, const IsClear& isClear)
+{
+    count_ = voxels.blockCount();
+    distance_.resize(voxels.blockRanges().size() + 4);
+    std::size_t clear = 0;
+    for (std::size_t block = 0; block < voxels.blockRanges().size(); ++block) {
+        const auto [low, high] = voxels.blockRanges()[block];
+        distance_[block] = isClear(low, high) ? EmptyBlocks::kFarthest : 0;
+        clear += distance_[block] != 0 ? 1 : 0;
+    }
+    if (clear == 0)
+        distance_.clear();
+    else
+        findBlockDistances(count_, distance_.data());
+}
+
+ClearBlocks::ClearBlocks(const PaddedVoxels& voxels, const ClearValues& clear)
+{
+    if (!clear.empty()) mark(voxels, [&](float low, float high) { return clear.hasAll(low, high); });
+}
+
+ClearBlocks::ClearBlocks(const PaddedVoxels& voxels, const IsoSurfaces& surfaces)
+{
+    mark(voxels, [&](float low, float high) {
+        return std::none_of(surfaces.values.begin(), surfaces.values.end(),
+                            [&](float value) { return low < value && high >= value; });
+    });
+}
+
+int ClearBlocks::leap(const glm::vec3& cell, const glm::vec3& step) const
+{
+    const glm::ivec3 block = glm::ivec3(cell) >> PaddedVoxels::kBlockShift;
+    const auto index = (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(count_.y) +
+                        static_cast<std::size_t>(block.y)) *
+                           static_cast<std::size_t>(count_.x) +
+                       static_cast<std::size_t>(block.x);
+    const int distance = distance_[index];
+    if (distance == 0) return 0;
+    constexpr float kEdge = 1 << PaddedVoxels::kBlockShift;
+    float samples = 1e6f;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int end = step[axis] > 0.0f ? block[axis] + distance : block[axis] - distance + 1;
+        const float way = static_cast<float>(end) * kEdge - cell[axis];
+        if (std::abs(step[axis]) > 1e-9f) samples = std::min(samples, way / step[axis]);
+    }
+    // A little less: the place after many steps is not exact.
+    return std::max(static_cast<int>(samples * 0.9999f), 1);
+}
+
+} // namespace vo

@@ -1,0 +1,41 @@
+#include "cast/clear_values.h"
+
+#include "cast/cast_volume.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace vo {
+
+namespace {
+
+bool isClear(const ChainPlan& plan, float low, float high)
+{
+    if (!plan.keepsClear) return false;
+    return plan.beginsWithVoxel ? high <= 0.0f : plan.chain.front()->isClear(low, high);
+}
+
+} // namespace
+
+std::array<std::uint16_t, ClearValues::kSteps + 3> ClearValues::nothingKnown()
+{
+    std::array<std::uint16_t, kSteps + 3> seen{};
+    std::iota(seen.begin(), seen.end(), std::uint16_t{0});
+    return seen;
+}
+
+ClearValues::ClearValues(std::span<const ChainPlan> plans)
+{
+    constexpr float kFar = std::numeric_limits<float>::max();
+    for (int step = 0; step <= kSteps + 1; ++step) {
+        const float low = step == 0 ? -kFar : static_cast<float>(step - 1) / kSteps;
+        const float high = step == 0 ? 0.0f : step > kSteps ? kFar : static_cast<float>(step) / kSteps;
+        const bool clear = std::all_of(plans.begin(), plans.end(),
+                                       [&](const ChainPlan& plan) { return isClear(plan, low, high); });
+        const auto s = static_cast<std::size_t>(step);
+        seen_[s + 1] = static_cast<std::uint16_t>(seen_[s] + (clear ? 0 : 1));
+    }
+}
+
+} // namespace vo
