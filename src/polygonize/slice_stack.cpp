@@ -27,7 +27,7 @@ constexpr std::size_t kTetrasInPart = 2048;
 constexpr std::size_t kMostParts = 64;
 constexpr std::size_t kVerticesInPart = 8192;
 /// Counters of all parts together; one thread goes through them.
-constexpr std::size_t kMostCounters = std::size_t{1} << 19;
+constexpr std::size_t kMostCounters = std::size_t{1} << 20;
 
 /// Of each axis: what intervalAt() says of a vertex.
 using Intervals = std::array<std::int32_t, 3>;
@@ -54,9 +54,11 @@ struct Part
     std::size_t firstTetra = 0, endTetra = 0;
     KeptArray<SlicedTetra> items;
     CutSections aside; ///< where boxes have cut slices, until the place of all is known
-    /// One a box and plane, in the end of what comes next: first by how much it has more than the plane
-    /// before, then how much it has, then the place of the next polygon. One plane more than there are.
+    /// A row for each box, of one counter more than there are planes: first by how much a plane has more than
+    /// the one before, then how much it has, then the place of the next polygon. Behind these, how much each
+    /// plane has in `aside`. Rows of boxes without polygons are not touched.
     std::vector<StackCount> counts;
+    std::vector<std::uint8_t> hasPolygons; ///< of each box
 
     BoxCutter cutter;
     std::vector<double> corners;
@@ -78,13 +80,13 @@ struct Job
     const PlacedVertex* places = nullptr; ///< all vertices
     const Intervals* intervals = nullptr; ///< of all vertices
 
-    std::size_t bins() const { return boxes.size() * samples; }
-    std::size_t bin(int box, int sample) const
+    /// Of counters, from a box to the next.
+    std::size_t row() const { return toAside() + samples; }
+    std::size_t toAside() const { return samples + 1; }
+    StackCount* rowOf(Part& part, int box) const
     {
-        const auto b = static_cast<std::size_t>(box), s = static_cast<std::size_t>(sample);
-        return order == StackOrder::byBrick ? b * samples + s : s * boxes.size() + b;
+        return part.counts.data() + static_cast<std::size_t>(box) * row();
     }
-    std::size_t stride() const { return order == StackOrder::byBrick ? 1 : boxes.size(); }
     PlaneFamily planesOf(std::size_t tetra) const
     {
         return own ? primitivePlanes(tetras, static_cast<int>(tetra), *ownAxis, *own) : planes;
@@ -120,14 +122,13 @@ public:
     {
         part_.items.clear();
         part_.aside.clear(job_.tetras.valuesPerVertex);
-        const std::size_t stride = job_.stride(), bins = job_.bins();
-        part_.counts.assign(bins + stride, 0);
+        part_.counts.resize(job_.boxes.size() * job_.row());
+        part_.hasPolygons.assign(job_.boxes.size(), 0);
         for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; tetra += TetraLooks::kMost)
             lookAtSome(tetra, std::min(TetraLooks::kMost, part_.endTetra - tetra));
         part_.aside.end();
-        StackCount* const counts = part_.counts.data();
-        for (std::size_t bin = stride; bin < bins; ++bin)
-            counts[bin] += counts[bin - stride];
+        for (std::size_t box = 0; box < job_.boxes.size(); ++box)
+            if (part_.hasPolygons[box] != 0) sumUp(job_.rowOf(part_, static_cast<int>(box)));
     }
 
 private:
@@ -177,16 +178,31 @@ private:
         return !inside || !lattice_.boxes(cell).empty();
     }
 
+    void sumUp(StackCount* row) const
+    {
+        StackCount sum = 0;
+        for (std::size_t sample = 0; sample < job_.samples; ++sample) {
+            sum += row[sample];
+            row[sample] = sum + row[job_.toAside() + sample];
+        }
+    }
+
+    StackCount* countersOf(int box)
+    {
+        StackCount* const row = job_.rowOf(part_, box);
+        std::uint8_t& has = part_.hasPolygons[static_cast<std::size_t>(box)];
+        if (has == 0) std::fill_n(row, job_.row(), StackCount{0});
+        has = 1;
+        return row;
+    }
+
     void addTo(int box, const Planes& changes)
     {
-        StackCount* const counts = part_.counts.data() + job_.bin(box, 0);
-        const auto change = [&](std::size_t i) -> StackCount& {
-            return counts[static_cast<std::size_t>(changes[i]) * job_.stride()];
-        };
-        change(0) += countOfPolygon(3);
-        change(1) += countOfPolygon(4) - countOfPolygon(3);
-        change(2) -= countOfPolygon(4) - countOfPolygon(3);
-        change(3) -= countOfPolygon(3);
+        StackCount* const counts = countersOf(box);
+        counts[changes[0]] += countOfPolygon(3);
+        counts[changes[1]] += countOfPolygon(4) - countOfPolygon(3);
+        counts[changes[2]] -= countOfPolygon(4) - countOfPolygon(3);
+        counts[changes[3]] -= countOfPolygon(3);
     }
 
     void cutAside(std::size_t tetra, const Corners& corners)
@@ -202,9 +218,8 @@ private:
         default: cutRecords(corners, planes); break;
         }
         for (const CutSections::Section& section : part_.aside.sections.all().subspan(first)) {
-            StackCount* const count = part_.counts.data() + job_.bin(section.box, section.sample);
-            count[0] += countOfPolygon(section.records);
-            count[job_.stride()] -= countOfPolygon(section.records);
+            StackCount* const counts = countersOf(section.box) + job_.toAside();
+            counts[section.sample] += countOfPolygon(section.records);
         }
     }
 
@@ -299,9 +314,8 @@ void writeAside(const Job& job, Part& part, AsidePlace& from, std::size_t end)
     const auto values = static_cast<std::size_t>(job.tetras.valuesPerVertex);
     if (values == 3) {
         const auto sections = part.aside.sections.all().subspan(from.section, end - from.section);
-        const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data(),
-                                 job.stride()};
-        writeSections(sections, from.records, job.bin(1, 0), target);
+        const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data()};
+        writeSections(sections, from.records, job.row(), target);
         for (const CutSections::Section& section : sections)
             from.records += 3 * section.records;
         from.section = end;
@@ -309,9 +323,8 @@ void writeAside(const Job& job, Part& part, AsidePlace& from, std::size_t end)
     }
     for (; from.section < end; ++from.section) {
         const CutSections::Section section = part.aside.sections[from.section];
-        const std::size_t bin = job.bin(section.box, section.sample);
-        const StackCount place =
-            std::exchange(part.counts[bin], part.counts[bin] + countOfPolygon(section.records));
+        StackCount& next = job.rowOf(part, section.box)[section.sample];
+        const StackCount place = std::exchange(next, next + countOfPolygon(section.records));
         const std::uint32_t first = recordsOf(place);
         std::copy_n(from.records, section.records * values, stack.records.data() + first * values);
         from.records += section.records * values;
@@ -328,9 +341,9 @@ void writeAside(const Job& job, Part& part, AsidePlace& from, std::size_t end)
 void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
 {
     PolygonStack& stack = *job.stack;
-    const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data(), job.stride()};
+    const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data()};
     if (job.tetras.valuesPerVertex == 3 && !job.own) {
-        const TetraSlices slices{items, job.places, job.tetras.indices.data(), job.bin(1, 0)};
+        const TetraSlices slices{items, job.places, job.tetras.indices.data(), job.row()};
         writePositions(slices, job.planes, target);
         return;
     }
@@ -343,7 +356,7 @@ void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
         }
         job.findPlanes(item.tetra, tetra.places, tetra.firstInFront);
         SliceTarget ofBox = target;
-        ofBox.next += job.bin(item.box, 0);
+        ofBox.next = job.rowOf(part, item.box);
         writeSlices(tetra, job.planesOf(item.tetra), ofBox, part.scratch);
     }
 }
@@ -375,6 +388,33 @@ std::size_t sampleCount(const Job& job)
 
 } // namespace
 
+namespace {
+
+/// The parts' rows of counters of each box that have any polygons.
+struct CounterRows
+{
+    std::vector<StackCount*> rows; ///< one box after the other
+    std::vector<std::size_t> ends; ///< behind those of each box
+
+    void collect(const Job& job, std::span<const std::unique_ptr<Part>> parts)
+    {
+        rows.clear();
+        ends.clear();
+        for (std::size_t box = 0; box < job.boxes.size(); ++box) {
+            for (const auto& part : parts)
+                if (part->hasPolygons[box] != 0) rows.push_back(job.rowOf(*part, static_cast<int>(box)));
+            ends.push_back(rows.size());
+        }
+    }
+    std::span<StackCount* const> of(std::size_t box) const
+    {
+        const std::size_t begin = box == 0 ? 0 : ends[box - 1];
+        return std::span(rows).subspan(begin, ends[box] - begin);
+    }
+};
+
+} // namespace
+
 struct StackSlicer::Private
 {
     BoxLattice lattice;
@@ -382,6 +422,7 @@ struct StackSlicer::Private
 
     KeptArray<PlacedVertex> places;
     KeptArray<Intervals> intervals;
+    CounterRows counters;
 
     PolygonizeResult slice(Job& job, int threads, PolygonStack& stack);
 
@@ -404,7 +445,7 @@ struct StackSlicer::Private
         const auto tetras = static_cast<std::size_t>(job.tetras.tetraCount());
         const std::size_t wanted = std::clamp<std::size_t>(tetras / kTetrasInPart, 1, kMostParts);
         const std::size_t count =
-            std::clamp<std::size_t>(kMostCounters / std::max<std::size_t>(job.bins(), 1), 1, wanted);
+            std::clamp<std::size_t>(kMostCounters / (job.boxes.size() * job.row()), 1, wanted);
         while (parts.size() < count)
             parts.push_back(std::make_unique<Part>());
         for (std::size_t i = 0; i < count; ++i) {
@@ -420,26 +461,47 @@ StackSlicer::~StackSlicer() = default;
 
 namespace {
 
-/// Turns what the parts counted into places: box by box and plane by plane, in each part by part. False: too
-/// many records.
-bool findPlaces(const Job& job, std::span<const std::unique_ptr<Part>> parts, PolygonStack& stack)
+/// Records and triangles so far.
+struct StackSize
 {
     std::uint64_t records = 0, triangles = 0;
-    const std::size_t inner = job.order == StackOrder::byBrick ? job.samples : job.boxes.size();
-    for (std::size_t bin = 0; bin < job.bins(); ++bin) {
-        const std::uint64_t before = triangles;
-        for (const auto& part : parts) {
-            const StackCount count = std::exchange(part->counts[bin], stackCount(records, triangles));
+
+    /// Counters of the same box and plane become places, part by part.
+    void place(std::span<StackCount* const> rows, std::size_t sample)
+    {
+        for (StackCount* const row : rows) {
+            const StackCount count = std::exchange(row[sample], stackCount(records, triangles));
             records += recordsOf(count);
             triangles += trianglesOf(count);
         }
-        if (triangles == before) continue;
-        const int brick = static_cast<int>(job.order == StackOrder::byBrick ? bin / inner : bin % inner);
-        const bool goesOn =
-            job.order == StackOrder::byBrick && !stack.runs.empty() && stack.runs.back().brick == brick;
-        if (!goesOn) stack.runs.push_back({brick, 3 * before, 0});
-        stack.runs.back().count = 3 * triangles - stack.runs.back().first;
     }
+    void endRun(std::size_t box, std::uint64_t first, PolygonStack& stack) const
+    {
+        if (triangles != first)
+            stack.runs.push_back({static_cast<int>(box), 3 * first, 3 * (triangles - first)});
+    }
+};
+
+/// Turns what the parts counted into places, in the order of the stack. False: too many records.
+bool findPlaces(const Job& job, const CounterRows& counters, PolygonStack& stack)
+{
+    StackSize size;
+    if (job.order == StackOrder::byBrick) {
+        for (std::size_t box = 0; box < job.boxes.size(); ++box) {
+            const std::uint64_t first = size.triangles;
+            for (std::size_t sample = 0; sample < job.samples; ++sample)
+                size.place(counters.of(box), sample);
+            size.endRun(box, first, stack);
+        }
+    } else {
+        for (std::size_t sample = 0; sample < job.samples; ++sample)
+            for (std::size_t box = 0; box < job.boxes.size(); ++box) {
+                const std::uint64_t first = size.triangles;
+                size.place(counters.of(box), sample);
+                size.endRun(box, first, stack);
+            }
+    }
+    const auto [records, triangles] = size;
     if (records > UINT32_MAX) {
         stack.clear();
         return false;
@@ -478,7 +540,7 @@ PolygonizeResult StackSlicer::Private::slice(Job& job, int threads, PolygonStack
     stack.clear();
     job.samples = sampleCount(job);
     PolygonizeResult result{job.planes.count, job.planes.spacing, true};
-    if (job.bins() == 0) return result;
+    if (job.boxes.empty() || job.samples == 0) return result;
     lattice.assign(job.boxes);
     const auto used = divide(job);
     placeVertices(job, threads);
@@ -488,7 +550,8 @@ PolygonizeResult StackSlicer::Private::slice(Job& job, int threads, PolygonStack
         Looker(job, lattice, *parts[i]).lookAtAll();
     });
     job.stack = &stack;
-    result.complete = findPlaces(job, used, stack);
+    counters.collect(job, used);
+    result.complete = findPlaces(job, counters, stack);
     if (result.complete)
         parallelFor(used.size(), threads, [this, &job](std::size_t i) { writePart(job, *parts[i]); });
     return result;

@@ -93,7 +93,7 @@ HWY_INLINE void writeRun(const TetraSection& section, bool mirrored, const float
         edges[vertex] = cuts + kEdgeOf[a][b] * count * kRow - block;
     }
     for (int k = begin; k < end; ++k) {
-        const StackCount place = take<kVertices>(target, static_cast<std::size_t>(k) * target.stride);
+        const StackCount place = take<kVertices>(target, static_cast<std::size_t>(k));
         const std::uint32_t first = recordsOf(place);
         float* record = target.records + static_cast<std::size_t>(first) * static_cast<std::size_t>(count);
         for (int vertex = 0; vertex < kVertices; ++vertex)
@@ -279,8 +279,7 @@ HWY_INLINE void writePositionsOf(const TetraToSlice& tetra, const PlaneFamily& p
         const bool quad = kTetraSections[mask[0]].count == 4;
         const int stop = few ? k + 1 : nextChange(tetra.firstInFront, k, end);
         do
-            writePolygon(edges.meet(planes.offset(k)), quad, target,
-                         static_cast<std::size_t>(k) * target.stride);
+            writePolygon(edges.meet(planes.offset(k)), quad, target, static_cast<std::size_t>(k));
         while (++k < stop);
     }
 }
@@ -290,7 +289,7 @@ HWY_INLINE void writePositionsOf(const TetraToSlice& tetra, const PlaneFamily& p
 constexpr std::size_t kMostOfFan = 24;
 struct Fan
 {
-    alignas(64) std::array<std::uint32_t, kMostOfFan> numbers{};
+    alignas(64) std::array<std::uint32_t, 32> numbers{};
     constexpr Fan()
     {
         for (std::uint32_t i = 0; i < kMostOfFan / 3; ++i) {
@@ -301,14 +300,16 @@ struct Fan
 };
 constexpr Fan kFans;
 
-/// Writes the first `count` of at most kMostOfFan numbers.
+/// Writes the first `count` of at most kMostOfFan numbers: seldom more than one vector has.
 template <class Number, class Value>
 HWY_INLINE void writeFirst(const Value& valueAt, std::size_t count, Number* to)
 {
-    constexpr hn::CappedTag<Number, 8> kTag;
-    constexpr std::size_t kStep = HWY_LANES(Number) < 8 ? HWY_LANES(Number) : 8;
-    for (std::size_t i = 0; i < kMostOfFan; i += kStep)
-        hn::BlendedStore(valueAt(kTag, i), hn::FirstN(kTag, count > i ? count - i : 0), kTag, to + i);
+    constexpr hn::CappedTag<Number, 16> kTag;
+    constexpr std::size_t kStep = HWY_LANES(Number) < 16 ? HWY_LANES(Number) : 16;
+    std::size_t i = 0;
+    for (; i + kStep < count; i += kStep)
+        hn::StoreU(valueAt(kTag, i), kTag, to + i);
+    hn::BlendedStore(valueAt(kTag, i), hn::FirstN(kTag, count - i), kTag, to + i);
 }
 
 void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const float* records,
@@ -317,7 +318,7 @@ void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const
     for (const CutSections::Section& section : sections) {
         const std::size_t count = section.records;
         StackCount& next = target.next[static_cast<std::size_t>(section.box) * toNextBox +
-                                       static_cast<std::size_t>(section.sample) * target.stride];
+                                       static_cast<std::size_t>(section.sample)];
         const std::uint32_t first = recordsOf(next);
         float* record = target.records + std::size_t{3} * first;
         std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(next);

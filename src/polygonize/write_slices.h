@@ -71,8 +71,7 @@ struct SliceTarget
 {
     float* records;
     std::uint32_t* indices;
-    StackCount* next;   ///< of each plane of one box, from the first plane
-    std::size_t stride; ///< from one plane to the next
+    StackCount* next; ///< of each plane of one box, from the first plane
 };
 
 /// Slices a tetrahedron with all planes that meet it, several at a time. A polygon is a fan as PolygonStack
