@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "polygonize/box_lattice.h"
+#include "polygonize/interleave-inl.h"
 #include "polygonize/tetra_sections.h"
 
 #include <algorithm>
@@ -191,6 +192,7 @@ HWY_INLINE void inOrder(const Values* p, const Values* q, Values* from, Values* 
 
 constexpr hn::FixedTag<double, 4> kFour;
 constexpr hn::FixedTag<float, 4> kFourFloats;
+constexpr hn::FixedTag<std::int32_t, 4> kFourInts;
 constexpr hn::FixedTag<float, 8> kEightFloats;
 using Four = hn::Vec<decltype(kFour)>;
 
@@ -208,6 +210,8 @@ struct SplitPart
 {
     alignas(32) std::array<std::int32_t, kMostVertices> places{};
     unsigned count = 0;
+    /// Of the numbers of the first five vertices: the place, 8 more for y.
+    alignas(64) std::array<std::int32_t, 16> numbers{};
 };
 /// By how many vertices there are but three, and a bit for each that is below the face: the parts below and
 /// above.
@@ -222,6 +226,8 @@ constexpr std::array<std::array<std::array<SplitPart, 2>, 16>, 2> kSplits = [] {
                     if (below == (side == 0)) part.places[part.count++] = static_cast<std::int32_t>(i);
                     if (below != nextBelow) part.places[part.count++] = static_cast<std::int32_t>(4 + i);
                 }
+                for (std::size_t i = 0; i < 15; ++i)
+                    part.numbers[i] = static_cast<std::int32_t>(i % 3 == 1 ? 8 : 0) + part.places[i / 3];
             }
     return splits;
 }();
@@ -240,22 +246,48 @@ public:
             corners_[axis] = hn::Load(kFour, column);
         }
         offsets_ = hn::LoadU(kFour, tetra.offsets);
+        firstInFront_ = hn::LoadU(kFourInts, tetra.firstInFront);
+    }
+
+    HWY_INLINE int cut(const PlaneFamily& planes, int begin, int end)
+    {
+        switch (axisOfOnlyFace()) {
+        case 0: return cutBatches<0>(planes, begin, end);
+        case 1: return cutBatches<1>(planes, begin, end);
+        case 2: return cutBatches<2>(planes, begin, end);
+        default: return cutBatches<kAxes>(planes, begin, end);
+        }
+    }
+
+private:
+    /// Or kAxes: several faces are near, or none.
+    HWY_INLINE std::size_t axisOfOnlyFace() const
+    {
+        std::size_t cutting = 0, only = kAxes;
+        for (std::size_t axis = 0; axis < kAxes; ++axis) {
+            if (!boxes_.axes[axis].cuts) continue;
+            ++cutting;
+            only = axis;
+        }
+        return cutting == 1 && boxes_.axes[only].faceCount == 1 && !overlap_ ? only : kAxes;
     }
 
     /// All slices of a batch are made before any is cut: which boxes they meet nobody foresees, and the
-    /// processor would wait for the divisions each time.
-    HWY_INLINE int cut(const PlaneFamily& planes, int begin, int end)
+    /// processor would wait for the divisions each time. kOnlyAxis: of the only face that is near, or kAxes.
+    template <std::size_t kOnlyAxis>
+    HWY_NOINLINE int cutBatches(const PlaneFamily& planes, int begin, int end)
     {
         for (; begin < end; begin += kBatch) {
             const int last = std::min(begin + kBatch, end);
             for (int sample = begin; sample < last; ++sample)
-                slice(planes, sample, batch_[sample - begin]);
+                slice<kOnlyAxis>(planes, sample, batch_[sample - begin]);
             makeRoom();
             bool good = true;
             for (sample_ = begin; sample_ < last && good; ++sample_) {
                 CutSections::Section* const section = section_;
                 float* const record = record_;
-                good = cutSection(batch_[sample_ - begin]);
+                good = kOnlyAxis < kAxes ? cutAtFace<kOnlyAxis % kAxes>(batch_[sample_ - begin])
+                                         : cutSection(batch_[sample_ - begin]);
                 if (good) continue;
                 section_ = section;
                 record_ = record;
@@ -267,7 +299,6 @@ public:
         return end;
     }
 
-private:
     /// The ends of the edges that planes meet.
     HWY_INLINE void findEdges(unsigned mask)
     {
@@ -291,11 +322,12 @@ private:
         std::array<std::array<std::uint8_t, BoxesNearby::kMostFaces>, kAxes> less, greater;
     };
 
+    template <std::size_t kOnlyAxis>
     HWY_INLINE void slice(const PlaneFamily& planes, int sample, Section& section)
     {
-        unsigned mask = 0;
-        for (unsigned corner = 0; corner < 4; ++corner)
-            mask |= (tetra_.firstInFront[corner] <= sample ? 1u : 0u) << corner;
+        std::uint8_t inFront[8];
+        hn::StoreMaskBits(kFourInts, hn::Lt(firstInFront_, hn::Set(kFourInts, sample + 1)), inFront);
+        const unsigned mask = inFront[0];
         if (mask != mask_) findEdges(mask);
         mask_ = mask;
         const Four offset = hn::Set(kFour, planes.offset(sample));
@@ -303,10 +335,11 @@ private:
         meet(from_, to_, hn::Sub(fromOffset_, offset), hn::Sub(toOffset_, offset), section.at);
         const unsigned all = (1u << count_) - 1;
         for (std::size_t axis = 0; axis < kAxes; ++axis) {
-            if (!boxes_.axes[axis].cuts) continue;
+            if (kOnlyAxis < kAxes ? axis != kOnlyAxis : !boxes_.axes[axis].cuts) continue;
             const Four x = snapped(boxes_.axes[axis], section.at[axis]);
             section.at[axis] = x;
-            for (std::size_t face = 0; face < boxes_.axes[axis].faceCount; ++face) {
+            const std::size_t faceCount = kOnlyAxis < kAxes ? 1 : boxes_.axes[axis].faceCount;
+            for (std::size_t face = 0; face < faceCount; ++face) {
                 const Four at = hn::Set(kFour, boxes_.axes[axis].faces[face]);
                 section.less[axis][face] = static_cast<std::uint8_t>(all & bitsOfFour(hn::Lt(x, at)));
                 section.greater[axis][face] = static_cast<std::uint8_t>(all & bitsOfFour(hn::Gt(x, at)));
@@ -374,7 +407,24 @@ private:
         if (crossed == 0)
             emitWhole(section, boxAt(regions));
         else
-            split(section, crossedAxis, regions);
+            splitAt(section, crossedAxis, regions);
+        return true;
+    }
+
+    /// cutSection where one face is near.
+    template <std::size_t kAxis>
+    HWY_INLINE bool cutAtFace(const Section& section)
+    {
+        const unsigned all = (1u << section.count) - 1;
+        const unsigned less = section.less[kAxis][0], greater = section.greater[kAxis][0];
+        if ((less | greater) != all) return cutAlong<0>(polygonOf(section), 0);
+        std::array<std::size_t, kAxes> regions{};
+        if (less != 0 && greater != 0) {
+            splitAt(section, kAxis, regions);
+            return true;
+        }
+        regions[kAxis] = greater != 0;
+        emitWhole(section, boxAt(regions));
         return true;
     }
 
@@ -394,13 +444,17 @@ private:
     HWY_INLINE void emitWhole(const Section& section, std::int32_t box)
     {
         if (box < 0) return;
-        hn::StoreInterleaved3(
-            hn::DemoteTo(kFourFloats, section.at[0]), hn::DemoteTo(kFourFloats, section.at[1]),
-            hn::DemoteTo(kFourFloats, section.at[2]), kFourFloats, append(box, section.count));
+        const auto x = hn::DemoteTo(kFourFloats, section.at[0]), y = hn::DemoteTo(kFourFloats, section.at[1]),
+                   z = hn::DemoteTo(kFourFloats, section.at[2]);
+#if HWY_MAX_BYTES >= 64
+        hn::StoreU(rowsOfFour(x, y, z), kRowFloats, append(box, section.count));
+#else
+        hn::StoreInterleaved3(x, y, z, kFourFloats, append(box, section.count));
+#endif
     }
 
     /// Parts it at the only face that it crosses, which begins the region above.
-    HWY_INLINE void split(const Section& section, std::size_t axis, std::array<std::size_t, kAxes> regions)
+    HWY_INLINE void splitAt(const Section& section, std::size_t axis, std::array<std::size_t, kAxes> regions)
     {
         const double face = boxes_.axes[axis].faces[regions[axis]];
         const unsigned less = section.less[axis][regions[axis]];
@@ -416,14 +470,27 @@ private:
         for (std::size_t i = 0; i < kAxes; ++i)
             all[i] = hn::Combine(kEightFloats, hn::DemoteTo(kFourFloats, met[i]),
                                  hn::DemoteTo(kFourFloats, section.at[i]));
+#if HWY_MAX_BYTES >= 64
+        const auto xAndY = hn::Combine(kRowFloats, all[1], all[0]);
+        const auto onlyZ = hn::ZeroExtendVector(kRowFloats, all[2]);
+        constexpr std::uint8_t kThird[8] = {0x24, 0x49};
+        const auto third = hn::LoadMaskBits(kRowFloats, kThird);
+#endif
         for (const SplitPart& part : kSplits[section.count - 3][less]) {
             const std::int32_t box = boxAt(regions);
             ++regions[axis];
             if (box < 0) continue;
+            float* const records = append(box, part.count);
+#if HWY_MAX_BYTES >= 64
+            const auto numbers = hn::SetTableIndices(kRowFloats, part.numbers.data());
+            hn::StoreU(hn::IfThenElse(third, hn::TableLookupLanes(onlyZ, numbers),
+                                      hn::TableLookupLanes(xAndY, numbers)),
+                       kRowFloats, records);
+#else
             const auto places = hn::SetTableIndices(kEightFloats, part.places.data());
             hn::StoreInterleaved3(hn::TableLookupLanes(all[0], places), hn::TableLookupLanes(all[1], places),
-                                  hn::TableLookupLanes(all[2], places), kEightFloats,
-                                  append(box, part.count));
+                                  hn::TableLookupLanes(all[2], places), kEightFloats, records);
+#endif
         }
     }
 
@@ -576,6 +643,7 @@ private:
     unsigned mask_ = 0;  ///< the corners in front, whose
     unsigned count_ = 0; ///< edges are these
     Four corners_[kAxes], offsets_;
+    hn::Vec<decltype(kFourInts)> firstInFront_;
     Four from_[kAxes], to_[kAxes], fromOffset_, toOffset_;
     static constexpr int kBatch = 16;
     Section batch_[kBatch];

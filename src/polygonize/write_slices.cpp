@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "polygonize/interleave-inl.h"
 #include "polygonize/tetra_sections.h"
 
 #include <algorithm>
@@ -215,13 +216,18 @@ HWY_INLINE void writePolygon(const FourPlaces& met, bool quad, const SliceTarget
     std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(place);
     hwy::Prefetch(record + kAhead);
     hwy::Prefetch(index + kAhead);
+    const auto x = hn::DemoteTo(kFourFloats, met.x), y = hn::DemoteTo(kFourFloats, met.y),
+               z = hn::DemoteTo(kFourFloats, met.z);
+#if HWY_MAX_BYTES >= 64
+    hn::BlendedStore(rowsOfFour(x, y, z), hn::FirstN(kRowFloats, 8 + size.lastRecords), kRowFloats, record);
+#else
     alignas(16) float records[12];
-    hn::StoreInterleaved3(hn::DemoteTo(kFourFloats, met.x), hn::DemoteTo(kFourFloats, met.y),
-                          hn::DemoteTo(kFourFloats, met.z), kFourFloats, records);
+    hn::StoreInterleaved3(x, y, z, kFourFloats, records);
     hn::StoreU(hn::Load(kFourFloats, records), kFourFloats, record);
     hn::StoreU(hn::Load(kFourFloats, records + 4), kFourFloats, record + 4);
     hn::BlendedStore(hn::Load(kFourFloats, records + 8), hn::FirstN(kFourFloats, size.lastRecords),
                      kFourFloats, record + 8);
+#endif
     alignas(32) constexpr std::uint32_t kFan[8] = {1, 2, 0, 2, 3, 0, 0, 0};
     hn::BlendedStore(hn::Add(hn::Set(kEightNumbers, first), hn::Load(kEightNumbers, kFan)),
                      hn::FirstN(kEightNumbers, size.indices), kEightNumbers, index);
