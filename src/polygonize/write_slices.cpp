@@ -157,6 +157,9 @@ HWY_INLINE void writeAll(const TetraToSlice& tetra, const PlaneFamily& planes, c
     }
 }
 
+/// Planes are too many streams for the processor to read ahead of writing.
+constexpr std::size_t kAhead = 32;
+
 #if HWY_MAX_BYTES >= 32
 constexpr hn::FixedTag<double, 4> kFour;
 constexpr hn::FixedTag<double, 2> kTwo;
@@ -164,8 +167,6 @@ constexpr hn::FixedTag<float, 4> kFourFloats;
 constexpr hn::FixedTag<std::int32_t, 4> kFourInts;
 constexpr hn::FixedTag<std::uint32_t, 8> kEightNumbers;
 using Four = hn::Vec<decltype(kFour)>;
-/// Planes are too many streams for the processor to read ahead of writing.
-constexpr std::size_t kAhead = 32;
 
 /// A value of each of four corners, or of one end of each of four edges.
 struct FourPlaces
@@ -329,6 +330,8 @@ void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const
         float* record = target.records + std::size_t{3} * first;
         std::uint32_t* index = target.indices + std::size_t{3} * trianglesOf(next);
         next += countOfPolygon(count);
+        hwy::Prefetch(record + kAhead);
+        hwy::Prefetch(index + kAhead);
         if (3 * count <= kMostOfFan) {
             writeFirst([records](auto tag, std::size_t i) HWY_ATTR { return hn::LoadU(tag, records + i); },
                        3 * count, record);
