@@ -8,9 +8,8 @@
 
 namespace vo {
 
-/// What a texture is for: colours and values from 0 to 1; a table of them, which is never repeated; or whole
-/// numbers, which stay as they are.
-enum class TexelUse { values, table, identifiers };
+/// What a texture is for: colours and values from 0 to 1, or whole numbers, which stay as they are.
+enum class TexelUse { values, identifiers };
 
 /// A texture, or why there is none.
 struct TextureResult

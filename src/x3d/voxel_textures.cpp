@@ -46,9 +46,10 @@ std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse
     if (kept.state == state) return kept.texture;
     kept.state = std::move(state);
     TextureResult made = make(*node, use);
-    if (made.texture) applyProperties(*node, *made.texture);
-    if (made.texture && use == TexelUse::table) made.texture->repeats = {};
-    if (!made.texture) messages_.error(*node, node->typeName() + ": " + made.reason);
+    if (made.texture)
+        applyProperties(*node, *made.texture);
+    else
+        messages_.error(*node, node->typeName() + ": " + made.reason);
     kept.texture = std::move(made.texture);
     return kept.texture;
 }
@@ -129,6 +130,8 @@ std::shared_ptr<const VoxelTexture>
 VoxelTextures::firstComponents(const std::shared_ptr<const VoxelTexture>& texture, int count)
 {
     if (!texture || texture->components <= count) return texture;
+    // Of textures that were replaced since, nobody else has the key.
+    std::erase_if(parts_, [](const auto& part) { return part.first.first.use_count() == 1; });
     auto& kept = parts_[{texture, count}];
     if (kept) return kept;
     auto part = std::make_shared<VoxelTexture>();

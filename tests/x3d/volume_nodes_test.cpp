@@ -5,6 +5,7 @@
 #include "../util/scratch_folder.h"
 #include "view_scene.h"
 #include "volume_io/volume_io.h"
+#include "x3d/voxel_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,6 +232,39 @@ TEST(VolumeNodes, filesThatAreNotThereAreToldOfOnce)
     EXPECT_NE(cut.messages().find("s.x3d:3: error: ImageTexture3D: "), std::string::npos);
 }
 
+TEST(VolumeNodes, filesLargerThanHalfTheMemoryAreRefused)
+{
+    const ScratchFolder folder;
+    const std::uint64_t slices = mostTextureBytes() / (std::uint64_t(1) << 20) + 1;
+    const std::string sizes = "1024 1024 " + std::to_string(slices);
+    writeNrrd<std::uint8_t>(folder / "v.nrrd", "uchar", sizes, {});
+    std::error_code error;
+    std::filesystem::resize_file(folder / "v.nrrd", (slices + 1) << 20, error);
+    if (error) GTEST_SKIP() << "the file system has no files with holes of this size: " << error.message();
+    const ViewedScene s(kFileVolume, "4.0", folder / "");
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_NE(s.messages().find(" bytes, half of the memory, found 1024 x 1024 x " + std::to_string(slices)),
+              std::string::npos)
+        << s.messages();
+}
+
+TEST(VolumeNodes, partsOfTexturesThatChangeAreLetGo)
+{
+    ViewedScene s(
+        "<SegmentedVolumeData><PixelTexture3D DEF='P' containerField='segmentedVoxels' image='2 1 1 1 0'/>"
+        "</SegmentedVolumeData>",
+        "3.0");
+    const std::weak_ptr<const VoxelTexture> first = s.drawn.volumes.at(0).voxels;
+    Node& node = *s.scene.names.at("P");
+    for (const std::int32_t value : {0x100, 0x200}) {
+        node.put(node.field("image")->slot, std::vector<std::int32_t>{2, 1, 1, 1, value});
+        s.draw();
+        EXPECT_EQ(texelsOf(*s.drawn.volumes.at(0).voxels),
+                  (std::vector<std::uint8_t>{std::uint8_t(value >> 8)}));
+    }
+    EXPECT_TRUE(first.expired());
+}
+
 TEST(VolumeNodes, theFirstUrlThatCanBeReadIsTaken)
 {
     const ScratchFolder folder;
@@ -403,17 +437,19 @@ TEST(VolumeNodes, surfacesAreThoseThatAreListed)
 
 TEST(VolumeNodes, stepsFillTheRangeOfTheVoxels)
 {
-    const ViewedScene s(isoVolume("surfaceValues='0.5' contourStepSize='0.125'",
-                                  "<OpacityMapVolumeStyle/><ComposedVolumeStyle>" + kEdge + kEdge +
-                                      "</ComposedVolumeStyle><ComposedVolumeStyle>" + kEdge + kEdge + kEdge +
-                                      "</ComposedVolumeStyle>"));
+    std::string styles, edges;
+    for (int i = 0; i < 5; ++i) {
+        edges += kEdge;
+        styles += "<ComposedVolumeStyle>" + edges + "</ComposedVolumeStyle>";
+    }
+    const ViewedScene s(isoVolume("surfaceValues='0.5' contourStepSize='0.125'", styles));
     const IsoSurfaces& surfaces = *s.drawn.volumes.at(0).surfaces;
     // The voxels are from 0.2 to 0.8.
     EXPECT_EQ(surfaces.values, (std::vector<float>{0.25f, 0.375f, 0.5f, 0.625f, 0.75f}));
-    std::vector<std::size_t> steps;
+    std::vector<std::size_t> lengths;
     for (const StyleChain& chain : surfaces.chains)
-        steps.push_back(chain.size());
-    EXPECT_EQ(steps, (std::vector<std::size_t>{2, 3, 1, 3, 3}));
+        lengths.push_back(chain.size());
+    EXPECT_EQ(lengths, (std::vector<std::size_t>{2, 3, 1, 4, 5}));
 }
 
 TEST(VolumeNodes, tinyStepsAreLimited)
