@@ -84,7 +84,7 @@ vec3 slopeAt(vec3 at)
     return 0.5 * shortestEdge * ((voxelCount * change) * placeFromLocal);
 }
 
-StyleSample sampleAt(vec3 at, vec3 local)
+StyleSample sampleWithoutNormal(vec3 at, vec3 local)
 {
     StyleSample s;
     s.voxel = textureLod(voxels, at, 0.0);
@@ -93,11 +93,22 @@ StyleSample sampleAt(vec3 at, vec3 local)
     s.V = viewer.w > 0.0 ? normalize(viewer.xyz - local) : -normalize(viewer.xyz);
     s.n = vec3(0.0);
     s.gradient = 0.0;
+    return s;
+}
+
+void setNormal(inout StyleSample s)
+{
 #ifdef NEEDS_NORMAL
-    vec3 slope = slopeAt(at);
+    vec3 slope = slopeAt(s.place);
     s.gradient = length(slope);
     if (s.gradient >= 1e-6) s.n = -slope / s.gradient;
 #endif
+}
+
+StyleSample sampleAt(vec3 at, vec3 local)
+{
+    StyleSample s = sampleWithoutNormal(at, local);
+    setNormal(s);
     return s;
 }
 
@@ -109,14 +120,20 @@ vec3 stepFrom(vec3 local)
 }
 )";
 
+// Discarding early saves time even where both sides of a branch are run.
 constexpr const char* kSamplesMain = R"(
 void main()
 {
     if (isClipped(vec4(position, 1.0))) discard;
     int chain = chainAt(place);
     if (chain < 0) discard;
-    StyleSample s = sampleAt(place, position);
-    vec4 color = chainOf(chain, firstColor(s.voxel), s);
+    StyleSample s = sampleWithoutNormal(place, position);
+    vec4 color = withoutNormals(chain, firstColor(s.voxel), s);
+#ifdef KEEPS_CLEAR
+    if (color.a <= 0.0) discard;
+#endif
+    setNormal(s);
+    color = withNormals(chain, color, s);
     float units = length(stepFrom(position)) / unitLength;
     float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
     fragment = vec4(alpha * color.rgb, alpha);
@@ -135,6 +152,10 @@ void main()
     if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
     if (isClipped(vec4(position, 1.0)) || isClipped(vec4(position + way, 1.0))) discard;
     float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
+    bool crosses = false;
+    for (int i = 0; i < SURFACES; ++i)
+        crosses = crosses || (here < surfaceValues[i]) != (there < surfaceValues[i]);
+    if (!crosses) discard;
     fragment = vec4(0.0);
     float nearest = 1.0;
     for (int i = 0; i < SURFACES; ++i) {
@@ -261,18 +282,43 @@ bool needsNormal(std::span<const StyleChain> chains)
     });
 }
 
-/// Writes chain0 to chainN and `vec4 chainOf(int chain, vec4 color, StyleSample s)`.
+/// How many styles at the front of a chain read no normal.
+std::ptrdiff_t countWithoutNormals(const StyleChain& chain)
+{
+    return std::ranges::find_if(chain, [](const auto& style) { return style->needsNormal(); }) -
+           chain.begin();
+}
+
+/// Whether what is clear without normals is so with them.
+bool keepsClear(std::span<const StyleChain> chains)
+{
+    return std::ranges::all_of(chains, [](const StyleChain& chain) {
+        return std::all_of(chain.begin() + countWithoutNormals(chain), chain.end(),
+                           [](const auto& style) { return style->keepsClear() && !style->replacesColor(); });
+    });
+}
+
+/// Writes `vec4 withoutNormals(int chain, vec4 color, StyleSample s)` for the styles at the front of chains,
+/// withNormals for those from the first on that reads one, and chainOf for both.
 std::string writeChains(GlslChain& glsl, std::span<const StyleChain> chains)
 {
-    std::string choice = "vec4 chainOf(int chain, vec4 color, StyleSample s)\n{\n";
+    constexpr const char* kParameters = "(int chain, vec4 color, StyleSample s)\n{\n";
+    std::string without = std::string("vec4 withoutNormals") + kParameters;
+    std::string with = std::string("vec4 withNormals") + kParameters;
     for (std::size_t i = 0; i < chains.size(); ++i) {
-        const std::string name = "chain" + std::to_string(i);
-        for (const auto& style : chains[i])
-            style->write(glsl);
-        glsl.endFunction(name);
-        choice += "    if (chain == " + std::to_string(i) + ") return " + name + "(color, s);\n";
+        const auto writePart = [&](auto from, auto to, const std::string& name, std::string& choice) {
+            std::for_each(from, to, [&glsl](const auto& style) { style->write(glsl); });
+            glsl.endFunction(name);
+            choice += "    if (chain == " + std::to_string(i) + ") return " + name + "(color, s);\n";
+        };
+        const std::string number = std::to_string(i);
+        const auto middle = chains[i].begin() + countWithoutNormals(chains[i]);
+        writePart(chains[i].begin(), middle, "front" + number, without);
+        writePart(middle, chains[i].end(), "rest" + number, with);
     }
-    return choice + "    return color;\n}\n";
+    constexpr const char* kEnd = "    return color;\n}\n";
+    return without + kEnd + with + kEnd + "vec4 chainOf" + kParameters +
+           "    return withNormals(chain, withoutNormals(chain, color, s), s);\n}\n";
 }
 
 /// `int chainAt(vec3 place)`: which chain a place has, or -1.
@@ -324,7 +370,8 @@ VolumeProgram volumeProgram(const StyledVolume& volume, bool opaqueDepths)
     VolumeProgram program;
     const bool projection = isProjected(volume);
     const bool surfaces = volume.surfaces.has_value();
-    const std::vector<StyleChain>& chains = surfaces ? volume.surfaces->chains : volume.chains;
+    std::vector<StyleChain> chains = surfaces ? volume.surfaces->chains : volume.chains;
+    std::ranges::transform(chains, chains.begin(), effectiveChain);
     std::string definitions = "#version 330 core\n";
     if (volume.tetras) definitions += define("OWN_PLACES");
     program.vertexText = definitions + (projection ? kPictureVertexShader : kVertexShader);
@@ -339,6 +386,7 @@ VolumeProgram volumeProgram(const StyledVolume& volume, bool opaqueDepths)
                    define("CHAINS " + std::to_string(chains.size()));
     if (surfaces) definitions += define("SURFACES " + std::to_string(volume.surfaces->values.size()));
     if (surfaces || needsNormal(chains)) definitions += define("NEEDS_NORMAL");
+    if (keepsClear(chains)) definitions += define("KEEPS_CLEAR");
     const std::string choice = writeChains(program.chains, chains);
     if (surfaces)
         definitions +=
