@@ -8,8 +8,12 @@ namespace vo {
 
 /// Draws scenes by slices through OpenGL, in the context that is current, over what the framebuffer has:
 /// opaque surfaces first, then slices of all volumes and what of translucent surfaces lies between them, the
-/// farthest first. Needs a depth buffer. All state is given back. Textures and programs stay until it goes;
-/// it lives in one context.
+/// farthest first. Needs a depth buffer, whose depths count, and clears nothing. All state is given back;
+/// scissor, stencil and colour mask of the program stay in force. Programs stay until it goes, textures until
+/// some pictures had no use for them; it lives in one context.
+///
+/// Left out: projections of tetrahedra. Crossings of values between two tetrahedra are found by the places of
+/// the nearer one.
 class SceneDrawer
 {
 public:
