@@ -105,9 +105,13 @@ vo::Result<void> show(voX3DScene& scene, vo::Vox3dOptions options)
     view.setTime(options.time);
     if (options.output.empty()) {
         std::string whyNot;
+#ifdef VOX3D_HAS_WINDOW
         const auto shown = vo::showInWindow(scene, view, options, whyNot);
         if (!shown) return shown.failure();
         if (*shown) return {};
+#else
+        whyNot = "built without GLFW";
+#endif
         options.output = "vox3d.png";
         vo::warn(kProgram, "no window (" + whyNot + "); drawing without one into " + options.output);
     }
@@ -144,6 +148,10 @@ vo::Result<void> run(const std::vector<std::string>& arguments)
 
 int main(int argc, char** argv)
 {
+#ifdef VOX3D_HAS_WINDOW
+    const std::string help = vo::vox3dHelp() + "\n" + vo::kWindowKeys;
+#else
     const std::string help = vo::vox3dHelp();
+#endif
     return vo::runUtility({kProgram, help.c_str(), run}, argc, argv);
 }

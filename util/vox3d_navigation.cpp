@@ -59,6 +59,17 @@ MovedEye MovedEye::of(voX3DView& view)
     return eye;
 }
 
+void MovedEye::apply(voX3DView& view) const
+{
+    const double depth = -centerInEye()[2], reach = 1.01 * radius;
+    const double far = std::max(depth + reach, 1e-3 * radius);
+    const double near = isOrthographic() ? depth - reach : std::max(depth - reach, 1e-3 * far);
+    ViewMatrix fitted = projection;
+    fitted[10] = (isOrthographic() ? -2 : -(far + near)) / (far - near);
+    fitted[14] = (isOrthographic() ? -(far + near) : -2 * far * near) / (far - near);
+    view.setCamera(eyeFromWorld.data(), fitted.data());
+}
+
 std::array<double, 3> MovedEye::centerInEye() const
 {
     std::array<double, 3> to;

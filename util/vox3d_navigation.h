@@ -19,7 +19,8 @@ struct MovedEye
 
     /// Where the view is now, and the sphere round all that it shows.
     static MovedEye of(voX3DView& view);
-    void apply(voX3DView& view) const { view.setCamera(eyeFromWorld.data(), projection.data()); }
+    /// With the near and the far plane round the sphere, as far as it lies before the eye.
+    void apply(voX3DView& view) const;
 
     /// Turns the scene round its center, about an axis of the eye, in radians.
     void examine(const std::array<double, 3>& axis, double angle);

@@ -13,7 +13,7 @@ enum class Button { Left, Middle, Right };
 /// The key codes are ASCII, letters in lower case.
 constexpr int kEscapeKey = 27;
 
-/// What the program does when its screen asks. All but the last three are needed. The context is current, and
+/// What the program does when its screen asks. The first three are needed. The context is current, and
 /// `gl` leads to it.
 struct ScreenCallbacks
 {
@@ -30,6 +30,12 @@ struct ScreenCallbacks
     void (*drag)(Button button, double x, double y, int width, int height) = nullptr;
     /// False: leave.
     bool (*key)(int key) = nullptr;
+    /// The button is let go; only windows tell this and what follows.
+    void (*release)(Button button, double x, double y, int width, int height) = nullptr;
+    /// The pointer is moved without a button.
+    void (*hover)(double x, double y, int width, int height) = nullptr;
+    /// The wheel is turned, upwards above 0.
+    void (*scroll)(double steps) = nullptr;
 };
 
 struct ScreenRequest

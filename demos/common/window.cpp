@@ -85,24 +85,36 @@ void Window::connectInput()
     glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int) {
         Window& window = owner(handle);
         Button pressed{};
-        if (action != GLFW_PRESS || !toButton(button, pressed) || !window.callbacks_.press) return;
+        const auto call = action == GLFW_PRESS ? window.callbacks_.press : window.callbacks_.release;
+        if (!toButton(button, pressed) || !call) return;
         double x = 0, y = 0;
         glfwGetCursorPos(handle, &x, &y);
         int width = 0, height = 0;
         glfwGetWindowSize(handle, &width, &height);
-        window.callbacks_.press(pressed, x, y, width, height);
+        call(pressed, x, y, width, height);
         window.needsDrawing_ = true;
     });
     glfwSetCursorPosCallback(handle_, [](GLFWwindow* handle, double x, double y) {
         Window& window = owner(handle);
+        int width = 0, height = 0;
+        glfwGetWindowSize(handle, &width, &height);
+        bool isHeld = false;
         for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_3; ++button) {
             Button held{};
             if (glfwGetMouseButton(handle, button) != GLFW_PRESS || !toButton(button, held)) continue;
-            int width = 0, height = 0;
-            glfwGetWindowSize(handle, &width, &height);
+            isHeld = true;
             if (window.callbacks_.drag) window.callbacks_.drag(held, x, y, width, height);
             window.needsDrawing_ = true;
         }
+        if (isHeld || !window.callbacks_.hover) return;
+        window.callbacks_.hover(x, y, width, height);
+        window.needsDrawing_ = true;
+    });
+    glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double steps) {
+        Window& window = owner(handle);
+        if (!window.callbacks_.scroll) return;
+        window.callbacks_.scroll(steps);
+        window.needsDrawing_ = true;
     });
 }
 

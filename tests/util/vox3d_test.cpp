@@ -269,6 +269,16 @@ TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 
+TEST_F(Vox3dPicture, withoutADisplayAPictureIsWritten)
+{
+    const std::string path = scene("cube.x3d", cube("0xff000080"));
+    const ProgramRun run = runProgram(
+        "cd " + (folder / ".") + " && env -u DISPLAY -u WAYLAND_DISPLAY " VOX3D " " + path + " -size 32 32");
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_NE(run.output.find("vox3d: no window ("), std::string::npos) << run.output;
+    EXPECT_EQ(pixel(picture("vox3d.png"), 16, 16), (std::array{192, 0, 0}));
+}
+
 TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
 {
     const std::string good = scene("good.x3d", cube("0xff000080"));
