@@ -189,17 +189,18 @@ def readme_program(tree):
 
 
 def vout_programs(tree):
-    """The programs of docs/vout.md are those that the tests compile and run, all of them."""
-    page, folder = "docs/vout.md", "tests/vout/programs/"
-    if not tree.has(page):
-        yield f"{page}: missing"
-        return
-    blocks = re.findall(r"^```cpp\n(.*?)^```", tree.text(page), re.M | re.S)
-    programs = {path: tree.text(path) for path in tree.code(folder)}
-    yield from (f"{page}: no ```cpp block equals {path}" for path, text in programs.items() if text not in blocks)
-    for block in blocks:
-        if block not in programs.values():
-            yield f"{page}: the block that begins '{block.splitlines()[0]}' is no file of {folder}"
+    """The programs of docs/vout.md and docs/x3d.md are those that the tests compile and run, all of them."""
+    for page, folder in (("docs/vout.md", "tests/vout/programs/"), ("docs/x3d.md", "tests/x3d/programs/")):
+        programs = {path: tree.text(path) for path in tree.code(folder)}
+        if not tree.has(page):
+            if programs or page == "docs/vout.md":
+                yield f"{page}: missing"
+            continue
+        blocks = re.findall(r"^```cpp\n(.*?)^```", tree.text(page), re.M | re.S)
+        yield from (f"{page}: no ```cpp block equals {path}" for path, text in programs.items() if text not in blocks)
+        for block in blocks:
+            if block not in programs.values():
+                yield f"{page}: the block that begins '{block.splitlines()[0]}' is no file of {folder}"
 
 
 def links(tree):
