@@ -1,5 +1,6 @@
 #include "x3d/volume_nodes.h"
 
+#include "x3d/fixed_opacity.h"
 #include "x3d/node_lights.h"
 #include "x3d/node_transform.h"
 #include "x3d/node_values.h"
@@ -196,10 +197,12 @@ bool VolumeNodes::fillSurfaces(const Node& node, StyledVolume& volume)
     for (std::size_t i = 0; i < values.size(); ++i) {
         const Node* const style =
             renderStyles.empty() ? nullptr : renderStyles[std::min(styleOf[i], renderStyles.size() - 1)];
-        DrawnStyle drawn = styles_.of(style, node.edition(), {*volume.voxels, volume.dimensions});
+        DrawnStyle drawn;
+        if (style) drawn = styles_.of(style, node.edition(), {*volume.voxels, volume.dimensions});
         if (drawn.projection || drawn.stipple)
             messages_.warn(*style, style->typeName() + " in IsoSurfaceVolumeData: surfaces are drawn");
         if (!drawn.isEnabled) continue;
+        drawn.chain.insert(drawn.chain.begin(), fixedOpacity(1.0f));
         surfaces.values.push_back(values[i]);
         surfaces.chains.push_back(std::move(drawn.chain));
     }

@@ -430,9 +430,24 @@ TEST(VolumeNodes, surfacesAreThoseThatAreListed)
     EXPECT_EQ(surfaces.values, (std::vector<float>{0.25f, 0.5f, 0.75f}));
     EXPECT_EQ(surfaces.surfaceTolerance, 0.125f);
     ASSERT_EQ(surfaces.chains.size(), 3u);
-    EXPECT_EQ(surfaces.chains[0].size(), 2u);
-    EXPECT_EQ(surfaces.chains[1].size(), 1u);
-    EXPECT_EQ(surfaces.chains[2].size(), 2u);
+    // Each is solid first.
+    EXPECT_EQ(surfaces.chains[0].size(), 3u);
+    EXPECT_EQ(surfaces.chains[1].size(), 2u);
+    EXPECT_EQ(surfaces.chains[2].size(), 3u);
+}
+
+TEST(VolumeNodes, surfacesAreSolidBeforeTheirStyles)
+{
+    for (const char* const styles : {"", "<ShadedVolumeStyle lighting='true'/>"}) {
+        const ViewedScene s(isoVolume("surfaceValues='0.25'", styles));
+        SampleBatch samples{};
+        samples.count = 1;
+        samples.voxel[0].fill(0.25f);
+        firstColor(1, samples);
+        for (const auto& style : s.drawn.volumes.at(0).surfaces->chains.at(0))
+            style->apply({}, samples);
+        EXPECT_EQ(samples.Ov[0], 1.0f) << styles;
+    }
 }
 
 TEST(VolumeNodes, stepsFillTheRangeOfTheVoxels)
@@ -449,7 +464,7 @@ TEST(VolumeNodes, stepsFillTheRangeOfTheVoxels)
     std::vector<std::size_t> lengths;
     for (const StyleChain& chain : surfaces.chains)
         lengths.push_back(chain.size());
-    EXPECT_EQ(lengths, (std::vector<std::size_t>{2, 3, 1, 4, 5}));
+    EXPECT_EQ(lengths, (std::vector<std::size_t>{3, 4, 2, 5, 6}));
 }
 
 TEST(VolumeNodes, tinyStepsAreLimited)
