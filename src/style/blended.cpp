@@ -1,4 +1,5 @@
 #include "style/glsl_chain.h"
+#include "style/shadow_textures.h"
 #include "style/styles.h"
 #include "style/transfer_function.h"
 
@@ -36,6 +37,8 @@ public:
 
     bool needsPosition() const override;
     bool keepsClear() const override { return fields_.voxels == nullptr; }
+    bool asksForShadows() const override { return vo::asksForShadows(fields_.chain); }
+    std::shared_ptr<const Style> withShadows(const ShadowTextures& textures) const override;
     void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const override;
     void write(GlslChain& chain) const override;
 
@@ -64,6 +67,14 @@ BlendedStyle::BlendedStyle(Blended fields)
 bool BlendedStyle::needsPosition() const
 {
     return std::ranges::any_of(fields_.chain, [](const auto& style) { return style->needsPosition(); });
+}
+
+std::shared_ptr<const Style> BlendedStyle::withShadows(const ShadowTextures& textures) const
+{
+    if (!asksForShadows()) return nullptr;
+    Blended fields = fields_;
+    fields.chain = chainWithShadows(fields_.chain, textures);
+    return makeStyle(std::move(fields));
 }
 
 bool BlendedStyle::chainNeedsNormal() const

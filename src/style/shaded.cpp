@@ -11,10 +11,13 @@ namespace vo {
 
 namespace {
 
-// Cg = CE + sum of att spot IL (Ia CD Ca + I CD (N.L) + I CS (N.H)^(128 shininess)), at most 1, where
-// products below 0 are 0; Og = Ov (1 - transparency).
+constexpr std::size_t kLightsInShadow = 8;
+
+// Cg = CE + sum of att spot IL (Ia CD Ca + I T CD (N.L) + I T CS (N.H)^(128 shininess)), at most 1, where
+// products below 0 are 0; Og = Ov (1 - transparency). T is what of the light comes through the volume.
 const char* const kGlsl = R"(
-vec4 shaded(vec4 color, StyleSample s, vec3 n, vec3 CD, vec3 CE, vec3 CS, float Ca, float exponent, float opacity)
+vec4 shaded(vec4 color, StyleSample s, vec3 n, vec3 CD, vec3 CE, vec3 CS, float Ca, float exponent, float opacity,
+            vec4 through0, vec4 through1)
 {
     vec3 sum = CE;
     for (int i = 0; i < lightCount; ++i) {
@@ -23,17 +26,21 @@ vec4 shaded(vec4 color, StyleSample s, vec3 n, vec3 CD, vec3 CE, vec3 CS, float 
         float size = length(H);
         float nH = size > 0.0 ? dot(n, H) / size : 0.0;
         float specular = nH > 0.0 ? raised(nH, exponent) : 0.0;
-        vec3 I = lights[i].intensity * (max(dot(n, L), 0.0) * CD + specular * CS);
+        float through = i < 4 ? through0[i] : i < 8 ? through1[i - 4] : 1.0;
+        vec3 I = lights[i].intensity * through * (max(dot(n, L), 0.0) * CD + specular * CS);
         sum += strengthOf(lights[i], L, s.position) * lights[i].color * (lights[i].ambientIntensity * Ca * CD + I);
     }
     return vec4(min(sum, 1.0), color.a * opacity);
 }
 )";
 
+/// What of each light comes through to samples.
+using Through = std::array<std::array<BatchFloats, 4>, kLightsInShadow / 4>;
+
 class ShadedStyle final : public Style
 {
 public:
-    explicit ShadedStyle(const Shaded& fields) : fields_(fields), normals_(fields.surfaceNormals) {}
+    explicit ShadedStyle(Shaded fields) : fields_(std::move(fields)), normals_(fields_.surfaceNormals) {}
 
     bool needsNormal() const override { return fields_.lighting && !normals_.given(); }
     bool needsPosition() const override { return fields_.lighting; }
@@ -41,13 +48,17 @@ public:
     {
         return fields_.lighting ? normals_.texture() : nullptr;
     }
+    bool asksForShadows() const override { return fields_.lighting && fields_.shadows; }
+    std::shared_ptr<const Style> withShadows(const ShadowTextures& textures) const override;
     void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const override;
     void write(GlslChain& chain) const override;
 
 private:
     void light(const StyleSurroundings& surroundings, SampleBatch& samples) const;
     void addLight(const StyleLight& light, const SampleBatch& samples, const BatchVectors& n,
-                  const BatchVectors& CD, BatchVectors& sum) const;
+                  const BatchVectors& CD, const BatchFloats* through, BatchVectors& sum) const;
+    void findThrough(const SampleBatch& samples, Through& through) const;
+    std::string writeThrough(GlslChain& chain, std::size_t texture) const;
 
     Shaded fields_;
     SurfaceNormals normals_;
@@ -69,7 +80,7 @@ void specularOf(const SampleBatch& samples, const BatchVectors& n, const BatchVe
 }
 
 void ShadedStyle::addLight(const StyleLight& light, const SampleBatch& samples, const BatchVectors& n,
-                           const BatchVectors& CD, BatchVectors& sum) const
+                           const BatchVectors& CD, const BatchFloats* through, BatchVectors& sum) const
 {
     Shine shine;
     BatchFloats nL, specular{};
@@ -82,9 +93,19 @@ void ShadedStyle::addLight(const StyleLight& light, const SampleBatch& samples, 
         const auto c = static_cast<std::size_t>(channel);
         const float glow = fields_.specular[channel] * light.intensity;
         for (std::size_t i = 0; i < kBatchSize; ++i) {
-            const float diffuse = (ambient + light.intensity * std::max(nL[i], 0.0f)) * CD[c][i];
-            sum[c][i] += shine.strength[i] * light.color[channel] * (diffuse + glow * specular[i]);
+            const float direct = light.intensity * std::max(nL[i], 0.0f) * CD[c][i] + glow * specular[i];
+            sum[c][i] += shine.strength[i] * light.color[channel] *
+                         (ambient * CD[c][i] + (through ? (*through)[i] : 1.0f) * direct);
         }
+    }
+}
+
+void ShadedStyle::findThrough(const SampleBatch& samples, Through& through) const
+{
+    for (std::size_t i = 0; i < std::min(through.size(), fields_.shadowTextures.size()); ++i) {
+        for (BatchFloats& numbers : through[i])
+            numbers.fill(1.0f);
+        sampleTexture(*fields_.shadowTextures[i], samples.count, samples.place, through[i]);
     }
 }
 
@@ -95,8 +116,12 @@ void ShadedStyle::light(const StyleSurroundings& surroundings, SampleBatch& samp
     const BatchVectors CD = samples.Cv;
     for (int channel = 0; channel < 3; ++channel)
         samples.Cv[static_cast<std::size_t>(channel)].fill(fields_.emissive[channel]);
-    for (const StyleLight& light : surroundings.lights)
-        addLight(light, samples, n, CD, samples.Cv);
+    Through through;
+    findThrough(samples, through);
+    const std::size_t inShadow = std::min(kLightsInShadow, 4 * fields_.shadowTextures.size());
+    for (std::size_t i = 0; i < surroundings.lights.size(); ++i)
+        addLight(surroundings.lights[i], samples, n, CD, i < inShadow ? &through[i / 4][i % 4] : nullptr,
+                 samples.Cv);
     for (BatchFloats& channel : samples.Cv)
         for (float& value : channel)
             value = std::min(value, 1.0f);
@@ -110,6 +135,21 @@ void ShadedStyle::apply(const StyleSurroundings& surroundings, SampleBatch& samp
     if (fields_.lighting) light(surroundings, samples);
     for (float& opacity : samples.Ov)
         opacity *= 1.0f - fields_.transparency;
+}
+
+std::shared_ptr<const Style> ShadedStyle::withShadows(const ShadowTextures& textures) const
+{
+    if (!asksForShadows()) return nullptr;
+    Shaded fields = fields_;
+    fields.shadowTextures = textures;
+    return makeStyle(std::move(fields));
+}
+
+/// A texture answers 0 for components that it lacks; no light has their number.
+std::string ShadedStyle::writeThrough(GlslChain& chain, std::size_t texture) const
+{
+    if (texture >= fields_.shadowTextures.size()) return "vec4(1.0)";
+    return "styleTexture(" + chain.texture(fields_.shadowTextures[texture]) + ", s.place)";
 }
 
 void ShadedStyle::write(GlslChain& chain) const
@@ -126,14 +166,15 @@ void ShadedStyle::write(GlslChain& chain) const
     chain.function("shaded", kGlsl);
     chain.step("shaded",
                {normals_.write(chain), CD, chain.uniform(fields_.emissive), chain.uniform(fields_.specular),
-                chain.uniform(fields_.ambientIntensity), chain.uniform(128.0f * fields_.shininess), opacity});
+                chain.uniform(fields_.ambientIntensity), chain.uniform(128.0f * fields_.shininess), opacity,
+                writeThrough(chain, 0), writeThrough(chain, 1)});
 }
 
 } // namespace
 
 std::shared_ptr<const Style> makeStyle(Shaded fields)
 {
-    return std::make_shared<ShadedStyle>(fields);
+    return std::make_shared<ShadedStyle>(std::move(fields));
 }
 
 } // namespace vo

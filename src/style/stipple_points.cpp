@@ -2,6 +2,7 @@
 
 #include "core/parallel.h"
 #include "style/power.h"
+#include "style/styled_voxels.h"
 #include "style/surface_normals.h"
 
 #include <glm/geometric.hpp>
@@ -15,8 +16,6 @@
 namespace vo {
 
 namespace {
-
-constexpr float kLeastGradient = 1e-6f;
 
 /// A number that looks like chance; every bit depends on every bit of the key.
 std::uint64_t scrambled(std::uint64_t key)
@@ -35,15 +34,7 @@ float fraction(std::uint64_t bits)
 
 bool isDrawn(const StyledVolume& volume)
 {
-    if (!volume.stipple || !volume.voxels || volume.chains.empty()) return false;
-    const VoxelTexture& voxels = *volume.voxels;
-    if (voxels.components < 1 || voxels.components > 4) return false;
-    for (int axis = 0; axis < 3; ++axis)
-        if (voxels.size[axis] < 1 || !(volume.dimensions[axis] > 0.0f) ||
-            !std::isfinite(volume.dimensions[axis]))
-            return false;
-    const std::uint64_t bytes = bytesOf(voxels.kind) * static_cast<std::uint64_t>(voxels.components);
-    return voxels.size.count() <= voxels.texels.size() / bytes;
+    return volume.stipple && !volume.chains.empty() && hasWholeVoxels(volume);
 }
 
 /// How many points voxels have.
@@ -62,7 +53,6 @@ public:
 private:
     void findDepths();
     void placeSamples(SampleBatch& batch) const;
-    void findNormals(SampleBatch& batch) const;
     void dropClear(SampleBatch& batch, std::array<std::uint64_t, kBatchSize>& index) const;
     float lightingOf(const glm::vec3& position, const glm::vec3& n) const;
     float factorsOf(const SampleBatch& batch, std::size_t i, const glm::vec3& n) const;
@@ -131,41 +121,6 @@ void Stippling::placeSamples(SampleBatch& batch) const
     }
 }
 
-/// Central differences of brightness.
-void Stippling::findNormals(SampleBatch& batch) const
-{
-    const VoxelTexture& voxels = *volume_.voxels;
-    const glm::vec3 size(voxels.size.x, voxels.size.y, voxels.size.z);
-    const glm::vec3 edges = volume_.dimensions / size;
-    const float shortest = std::min({edges.x, edges.y, edges.z});
-    batch.gradient.fill(0.0f);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        std::array<std::array<BatchFloats, 4>, 2> texels{};
-        for (std::size_t side = 0; side < 2; ++side) {
-            BatchVectors place = batch.place;
-            for (float& coordinate : place[a])
-                coordinate += (side == 0 ? -1.0f : 1.0f) / size[axis];
-            sampleTexture(voxels, batch.count, place, texels[side]);
-        }
-        const std::size_t used = voxels.components < 3 ? 1 : 3;
-        const float scale = -0.5f * shortest / edges[axis] / static_cast<float>(used);
-        for (std::size_t i = 0; i < kBatchSize; ++i) {
-            float difference = 0.0f;
-            for (std::size_t c = 0; c < used; ++c)
-                difference += texels[1][c][i] - texels[0][c][i];
-            batch.n[a][i] = difference * scale;
-            batch.gradient[i] += batch.n[a][i] * batch.n[a][i];
-        }
-    }
-    for (std::size_t i = 0; i < kBatchSize; ++i) {
-        const float length = std::sqrt(batch.gradient[i]);
-        batch.gradient[i] = length;
-        for (BatchFloats& component : batch.n)
-            component[i] = length < kLeastGradient ? 0.0f : component[i] / length;
-    }
-}
-
 void Stippling::dropClear(SampleBatch& batch, std::array<std::uint64_t, kBatchSize>& index) const
 {
     std::size_t kept = 0;
@@ -228,7 +183,7 @@ void Stippling::numberOf(SampleBatch& batch, std::array<std::uint64_t, kBatchSiz
     if (keepsClear_) dropClear(batch, index);
     if (batch.count == 0) return;
     placeSamples(batch);
-    findNormals(batch);
+    findNormals(*volume_.voxels, volume_.dimensions, batch);
     for (const auto& style : chain_)
         style->apply(volume_.surroundings, batch);
     BatchVectors room;

@@ -35,6 +35,10 @@ struct StyleSurroundings
     std::vector<StyleLight> lights;
 };
 
+/// What of each light comes through a volume to the places of its box: light i in component i % 4 of texture
+/// i / 4, 0 to 1. Lights that have none shine unhindered.
+using ShadowTextures = std::vector<std::shared_ptr<const VoxelTexture>>;
+
 /// One style: what it makes of the colour and the opacity of samples, once as C++ and once as GLSL. Both say
 /// the same (docs/x3d.md has the equations).
 class Style
@@ -56,6 +60,10 @@ public:
     /// No sample has opacity after it whose voxel lies within low to high: known of styles that
     /// replaceColor(), for voxels of one component.
     virtual bool isClear(float low, float high) const { return low > high; }
+    /// The volume shadows what this style lights: it needs withShadows().
+    virtual bool asksForShadows() const { return false; }
+    /// The same style with shadows; nothing where it has no use for them.
+    virtual std::shared_ptr<const Style> withShadows(const ShadowTextures&) const { return nullptr; }
     /// Changes Cv and Ov of all samples.
     virtual void apply(const StyleSurroundings& surroundings, SampleBatch& samples) const = 0;
     /// Adds its function and its call (glsl_chain.h).

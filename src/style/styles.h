@@ -57,6 +57,8 @@ struct Shaded
     float ambientIntensity = 0.2f, shininess = 0.2f, transparency = 0.0f;
     glm::vec3 diffuse{0.8f}, emissive{0.0f}, specular{0.0f};
     TexturePointer surfaceNormals;
+    bool shadows = false;          ///< of the volume itself, if lit
+    ShadowTextures shadowTextures; ///< none: nothing is in shadow
 };
 
 /// Weights of BlendedVolumeStyle: of the colour so far (1) and of that of other voxels (2).

@@ -71,6 +71,7 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
     volume.unitLength = shortestEdge(volume);
     volume.spacing = planeSpacing(volume);
     light(shown, volume);
+    shadows_.add(volume, 0);
     return volume;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "style/shadow_textures.h"
 #include "style/styled_scene.h"
 #include "x3d/node_cameras.h"
 #include "x3d/scene_walk.h"
@@ -46,6 +47,7 @@ private:
     ViewMessages& messages_;
     VoxelTextures textures_;
     VolumeStyles styles_;
+    ShadowStore shadows_;
     std::map<std::uint64_t, ValueRange> ranges_; // by the texture's serial
 };
 

@@ -147,8 +147,7 @@ void VolumeStyles::addShaded(const Node& style, const VoxelsToDraw& voxels, Draw
 {
     Shaded fields;
     fields.lighting = boolOf(style, "lighting");
-    if (fields.lighting && boolOf(style, "shadows"))
-        messages_.warn(style, style.typeName() + ".shadows is not drawn");
+    fields.shadows = boolOf(style, "shadows");
     if (const Node* const material = nodeOf(style, "material")) {
         fields.hasMaterial = true;
         fields.ambientIntensity = floatOf(*material, "ambientIntensity", fields.ambientIntensity);

@@ -1,6 +1,7 @@
 // Pictures of the CPU engine against the reference in double precision.
 
 #include "cast/cast_scene.h"
+#include "style/shadow_textures.h"
 #include "styled_scenes.h"
 #include "support/styled_reference.h"
 
@@ -358,6 +359,26 @@ TEST(styledPictures, volumesAndSurfacesTogether)
                                                   0.3f + 0.2f * std::sin(0.3f * static_cast<float>(i)));
         expectReference(scene, "together");
     }
+}
+
+// Engines read what comes through from textures; the reference goes straight to the light from each sample.
+TEST(styledPictures, shadowsAreThoseOfStraightWays)
+{
+    vo::OpacityMap map;
+    map.transferFunction = rampFunction();
+    vo::Shaded shaded;
+    shaded.lighting = true;
+    shaded.shadows = true;
+    shaded.specular = {0.3f, 0.3f, 0.3f};
+    vo::StyledVolume volume = turnedVolume();
+    volume.chains = {{styleWithReference(map), styleWithReference(shaded)}};
+    volume.surroundings.lights.pop_back();
+    vo::StyledScene scene = sceneOf(true, volume);
+    scene.width = scene.height = 16;
+    const std::vector<double> reference = vo::test::styledReference(scene);
+    EXPECT_LT(decibels(castOf(scene, 0), reference), 35.0) << "shadows change next to nothing";
+    vo::ShadowStore().add(scene.volumes[0], 0);
+    EXPECT_GE(decibels(castOf(scene, 0), reference), kLeastDecibels);
 }
 
 } // namespace

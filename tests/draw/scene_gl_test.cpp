@@ -3,6 +3,7 @@
 #include "cast/cast_scene.h"
 #include "draw/draw_scene.h"
 #include "offscreen/offscreen.h"
+#include "style/shadow_textures.h"
 #include "support/styled_reference.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -502,6 +503,27 @@ TEST_P(SceneDrawing, picturesAreThoseOfTheCpuEngine)
         castScene(scene, 0, cast);
         EXPECT_GT(psnr(picture(scene), {cast.rgba.begin(), cast.rgba.end()}), kAlike) << name;
     }
+}
+
+TEST_P(SceneDrawing, shadowsAreThoseOfTheCpuEngine)
+{
+    Shaded shaded;
+    shaded.lighting = true;
+    shaded.shadows = true;
+    shaded.specular = glm::vec3(0.5f);
+    StyledScene scene = turnedScene({makeStyle(shaded)});
+    StyledVolume& volume = scene.volumes[0];
+    std::vector<StyleLight>& lights = volume.surroundings.lights;
+    lights.insert(lights.end(), lights.begin(), lights.begin() + 2);
+    lights[3].direction = -lights[3].direction;
+    lights[4].position = -lights[4].position;
+    const std::vector<float> bright = picture(scene);
+    ShadowStore().add(volume, 0);
+    ScenePicture cast;
+    castScene(scene, 0, cast);
+    const std::vector<double> expected(cast.rgba.begin(), cast.rgba.end());
+    EXPECT_GT(psnr(picture(scene), expected), kAlike);
+    EXPECT_LT(psnr(bright, expected), 35.0) << "shadows change next to nothing";
 }
 
 TEST_P(SceneDrawing, surfacesWithoutNormalsHaveThoseOfTheirTriangles)

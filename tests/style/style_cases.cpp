@@ -155,6 +155,21 @@ void addShaded(std::vector<StyleCase>& cases)
     cases.push_back({"Shaded", {shaded}, lights});
 }
 
+void addShadows(std::vector<StyleCase>& cases)
+{
+    StyleSurroundings lights = threeLights();
+    Shaded shaded = material();
+    shaded.shadows = true;
+    shaded.shadowTextures = {randomTexture({6, 5, 4}, 3, 14)};
+    cases.push_back({"Shaded, shadows of three lights", {shaded}, lights});
+    lights.lights.insert(lights.lights.end(), lights.lights.begin(), lights.lights.begin() + 2);
+    shaded.shadowTextures = {randomTexture({6, 5, 4}, 4, 15), randomTexture({6, 5, 4}, 1, 16)};
+    cases.push_back({"Shaded, shadows of five lights", {shaded}, lights});
+    for (StyleLight& light : lights.lights)
+        light.intensity *= 0.3f;
+    cases.push_back({"Shaded, shadows of five dim lights", {shaded}, lights});
+}
+
 void addBlended(std::vector<StyleCase>& cases)
 {
     using Weight = Blended::Weight;
@@ -212,6 +227,7 @@ std::vector<StyleCase> styleCases()
     addGradientStyles(cases);
     addCartoons(cases);
     addShaded(cases);
+    addShadows(cases);
     addBlended(cases);
     cases.push_back({"composed",
                      {OpacityMap{randomTexture({32, 1, 1}, 4, 3)}, BoundaryEnhancement{}, EdgeEnhancement{},

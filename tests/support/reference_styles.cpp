@@ -227,6 +227,18 @@ void step(const ToneMapped& style, const StyleSurroundings& surroundings, Refere
     sample.Cv = glm::min(sum, dvec3(1.0));
 }
 
+/// Of textures that the style has, else as it is known of the sample.
+std::vector<double> throughOf(const Shaded& style, const ReferenceSample& sample)
+{
+    if (!style.shadows) return {};
+    if (style.shadowTextures.empty()) return sample.lightThrough;
+    std::vector<double> through;
+    for (const TexturePointer& texture : style.shadowTextures)
+        for (int c = 0; c < texture->components; ++c)
+            through.push_back(referenceTexel(*texture, sample.place)[c]);
+    return through;
+}
+
 void step(const Shaded& style, const StyleSurroundings& surroundings, ReferenceSample& sample)
 {
     const dvec3 diffuse = style.hasMaterial ? dvec3(style.diffuse) : sample.Cv;
@@ -237,7 +249,7 @@ void step(const Shaded& style, const StyleSurroundings& surroundings, ReferenceS
                                      static_cast<double>(style.ambientIntensity),
                                      static_cast<double>(style.shininess)};
     sample.Cv = referenceLit(material, surroundings.lights, sample.position,
-                             normalFor(style.surfaceNormals, sample), sample.V);
+                             normalFor(style.surfaceNormals, sample), sample.V, throughOf(style, sample));
 }
 
 double blendWeight(Blended::Weight function, float constant, const TexturePointer& table, double Ov,
@@ -355,10 +367,12 @@ void setNormal(const dvec3& gradient, ReferenceSample& sample)
 }
 
 dvec3 referenceLit(const ReferenceMaterial& material, const std::vector<StyleLight>& lights,
-                   const dvec3& position, const dvec3& n, const dvec3& V)
+                   const dvec3& position, const dvec3& n, const dvec3& V, const std::vector<double>& through)
 {
     dvec3 sum = material.emissive;
-    for (const StyleLight& light : lights) {
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const StyleLight& light = lights[i];
+        const double T = i < through.size() ? through[i] : 1.0;
         const dvec3 L = toLight(light, position);
         const dvec3 between = L + V;
         const dvec3 H = glm::length(between) > 0.0 ? glm::normalize(between) : dvec3(0.0);
@@ -369,9 +383,14 @@ dvec3 referenceLit(const ReferenceMaterial& material, const std::vector<StyleLig
         const dvec3 diffuse = I * std::max(glm::dot(n, L), 0.0) * material.diffuse;
         const double highlight = nH > 0.0 ? std::pow(nH, 128.0 * material.shininess) : 0.0;
         sum += shineOf(light, position) * dvec3(light.color) *
-               (ambient + diffuse + I * highlight * material.specular);
+               (ambient + T * (diffuse + I * highlight * material.specular));
     }
     return glm::min(sum, dvec3(1.0));
+}
+
+dvec3 referenceWayTo(const StyleLight& light, const dvec3& position)
+{
+    return toLight(light, position);
 }
 
 } // namespace vo::test

@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <variant>
+#include <vector>
 
 /// The equations of the styles in double precision, written apart from src/style. A picture knows styles
 /// behind pointers; the reference knows the fields of those that styleWithReference() made.
@@ -29,6 +30,7 @@ struct ReferenceSample
     double gradient = 0.0;
     glm::dvec3 Cv{0.0};
     double Ov = 0.0;
+    std::vector<double> lightThrough; ///< of each light, for shadows; missing: all of it
 };
 
 /// Sets Cv and Ov from the voxel.
@@ -49,13 +51,16 @@ glm::dvec3 referenceGradient(const VoxelTexture& voxels, const glm::dvec3& dimen
 /// Sets n and gradient.
 void setNormal(const glm::dvec3& gradient, ReferenceSample& sample);
 
-/// CE + sum over lights, at most 1: of Shaded and of surfaces. All in one space.
+/// CE + sum over lights, at most 1: of Shaded and of surfaces. All in one space. `through`: see lightThrough.
 struct ReferenceMaterial
 {
     glm::dvec3 diffuse{0.0}, emissive{0.0}, specular{0.0};
     double ambientIntensity = 0.0, shininess = 0.0;
 };
 glm::dvec3 referenceLit(const ReferenceMaterial& material, const std::vector<StyleLight>& lights,
-                        const glm::dvec3& position, const glm::dvec3& n, const glm::dvec3& V);
+                        const glm::dvec3& position, const glm::dvec3& n, const glm::dvec3& V,
+                        const std::vector<double>& through = {});
+/// The unit vector from a position to a light.
+glm::dvec3 referenceWayTo(const StyleLight& light, const glm::dvec3& position);
 
 } // namespace vo::test

@@ -1,5 +1,7 @@
 #include "support/styled_reference.h"
 
+#include "style/shadow_grid.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -285,6 +287,54 @@ const StyleChain* chainAt(const StyledVolume& volume, const dvec3& place)
     return chain < 0 ? nullptr : &volume.chains.at(static_cast<std::size_t>(chain));
 }
 
+// Shadows
+
+/// The opacity at a place of the box, seen along the normal.
+double opacityToLight(const StyledVolume& volume, const dvec3& position)
+{
+    const auto spot = spotInBox(dvec3(volume.dimensions), position);
+    const dvec3 world(volume.worldFromLocal * dvec4(position, 1.0));
+    if (!spot || isClipped(volume.clipPlanes, world)) return 0.0;
+    const StyleChain* const chain = chainAt(volume, spot->place);
+    if (!chain) return 0.0;
+    ReferenceSample sample;
+    sample.place = spot->place;
+    sample.position = position;
+    sample.voxel = referenceTexel(*volume.voxels, spot->place);
+    setNormal(referenceGradient(*volume.voxels, dvec3(volume.dimensions), spot->place, spot->placeFromLocal),
+              sample);
+    sample.V = glm::length(sample.n) > 0.0 ? sample.n : dvec3(0, 0, 1);
+    referenceFirstColor(volume.voxels->components, sample);
+    referenceChain(*chain, {}, sample);
+    return std::clamp(sample.Ov, 0.0, 1.0);
+}
+
+/// Along the straight way to the light, in short steps.
+double throughTo(const StyledVolume& volume, const StyleLight& light, const dvec3& position)
+{
+    const dvec3 L = referenceWayTo(light, position);
+    double end = glm::length(dvec3(volume.dimensions));
+    if (light.kind != StyleLight::Kind::directional)
+        end = std::min(end, glm::distance(dvec3(light.position), position));
+    const double step = volume.unitLength / 3.0;
+    double through = 1.0;
+    for (double at = static_cast<double>(shadowOffset(volume.dimensions)); at < end; at += step) {
+        const double part = std::min(step, end - at);
+        through *= std::pow(1.0 - opacityToLight(volume, position + L * (at + part / 2.0)),
+                            part / volume.unitLength);
+    }
+    return through;
+}
+
+void shadow(const StyledVolume& volume, const StyleChain& chain, ReferenceSample& sample)
+{
+    const bool asks =
+        std::any_of(chain.begin(), chain.end(), [](const auto& style) { return style->asksForShadows(); });
+    if (!asks) return;
+    for (const StyleLight& light : volume.surroundings.lights)
+        sample.lightThrough.push_back(throughTo(volume, light, sample.position));
+}
+
 void addSamples(const StyledVolume& volume, const Sight& sight, double farthest, std::vector<Seen>& all)
 {
     const Walk walk(volume, sight);
@@ -292,6 +342,7 @@ void addSamples(const StyledVolume& volume, const Sight& sight, double farthest,
         ReferenceSample sample = walk.sampleAt(depth);
         const StyleChain* chain = chainAt(volume, sample.place);
         if (!chain) return;
+        shadow(volume, *chain, sample);
         referenceChain(*chain, volume.surroundings, sample);
         all.push_back({depth, sample.Cv, walk.opacityOver(sample.Ov)});
     });

@@ -9,7 +9,8 @@ namespace vo::test {
 
 /// The picture of a scene in double precision, as styled_scene.h says: for each pixel red, green, blue
 /// (multiplied by alpha) and alpha, rows from the bottom. Samples are taken where the ray through the pixel's
-/// centre meets the planes. Styles must come from styleWithReference(). Stipples are left out. Slow: for
+/// centre meets the planes. Styles must come from styleWithReference(). Stipples are left out, and shadows
+/// but those of samples. Slow: for
 /// pictures of some 64 x 64 pixels.
 std::vector<double> styledReference(const StyledScene& scene);
 

@@ -335,8 +335,23 @@ TEST(VolumeStyles, whatChangesNothingIsToldOf)
               "s.x3d:2: warning: EdgeEnhancementVolumeStyle.contribution is in no equation and changes "
               "nothing\n"
               "s.x3d:2: warning: BoundaryEnhancementVolumeStyle.gradientColor is in no equation and "
-              "changes nothing\n"
-              "s.x3d:2: warning: ISOSurfaceVolumeStyle.shadows is not drawn\n");
+              "changes nothing\n");
+}
+
+// Half of the opaque voxel lies between the sample and the light.
+TEST(VolumeStyles, shadedMayBeInItsOwnShadow)
+{
+    const std::string light = "<DirectionalLight direction='-0.5 0.5 0.5'/>";
+    const std::string map = "<ComposedVolumeStyle><OpacityMapVolumeStyle/>";
+    const std::string shaded = "<ShadedVolumeStyle lighting='true' ";
+    const std::string end = "/></ComposedVolumeStyle>";
+    const glm::vec4 lit = StyledGrey(map + shaded + end, "4.0", light).of({1.0f, {1, 0, 0}, 0.5f});
+    EXPECT_GT(lit.r, 0.5f);
+    const auto red = [&](const std::string& style, const char* version) {
+        return StyledGrey(style, version, light).of({1.0f, {1, 0, 0}, 0.5f}).r;
+    };
+    EXPECT_LT(red(map + shaded + "shadows='true'" + end, "4.0"), 0.8f * lit.r);
+    EXPECT_FLOAT_EQ(red(map + "<ShadedVolumeStyle shadows='true'" + end, "4.0"), 1.0f);
 }
 
 } // namespace

@@ -1,0 +1,359 @@
+// Shadows that volumes throw on themselves, by closed forms.
+
+#include "style/shadow_grid.h"
+#include "style/shadow_textures.h"
+#include "style/styles.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace vo {
+namespace {
+
+using glm::dvec3;
+
+std::shared_ptr<VoxelTexture> voxelsOf(VoxelSize size, const std::function<double(const dvec3&)>& valueAt)
+{
+    auto made = std::make_shared<VoxelTexture>();
+    made->size = size;
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const dvec3 place = (dvec3(x, y, z) + 0.5) / dvec3(size.x, size.y, size.z);
+                made->texels.push_back(static_cast<std::byte>(std::lround(255.0 * valueAt(place))));
+            }
+    return made;
+}
+
+std::shared_ptr<const Style> shadedWithShadows()
+{
+    Shaded shaded;
+    shaded.lighting = true;
+    shaded.shadows = true;
+    return makeStyle(shaded);
+}
+
+StyleLight sunOf(const glm::vec3& direction)
+{
+    StyleLight light;
+    light.direction = glm::normalize(direction);
+    return light;
+}
+
+StyleLight lampAt(const glm::vec3& position)
+{
+    StyleLight light;
+    light.kind = StyleLight::Kind::point;
+    light.position = position;
+    return light;
+}
+
+StyledVolume volumeOf(std::shared_ptr<const VoxelTexture> voxels, const glm::vec3& dimensions,
+                      const std::vector<StyleLight>& lights)
+{
+    StyledVolume volume;
+    volume.voxels = std::move(voxels);
+    volume.dimensions = dimensions;
+    volume.chains = {{shadedWithShadows()}};
+    volume.surroundings.lights = lights;
+    volume.unitLength = 0.25;
+    return volume;
+}
+
+/// What Shaded makes of a white sample there, of a normal to the light and no ambient light: what comes
+/// through.
+double lightAt(const StyledVolume& volume, const dvec3& position)
+{
+    SampleBatch batch{};
+    batch.count = 1;
+    const StyleLight& light = volume.surroundings.lights.at(0);
+    const dvec3 way = light.kind == StyleLight::Kind::directional
+                          ? dvec3(-light.direction)
+                          : glm::normalize(dvec3(light.position) - position);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        batch.position[a][0] = static_cast<float>(position[axis]);
+        batch.place[a][0] =
+            static_cast<float>(position[axis] / static_cast<double>(volume.dimensions[axis]) + 0.5);
+        batch.n[a][0] = static_cast<float>(way[axis]);
+        batch.Cv[a][0] = 1.0f;
+    }
+    const StyleChain& chain = volume.surfaces ? volume.surfaces->chains[0] : volume.chains[0];
+    chain.back()->apply(volume.surroundings, batch);
+    return static_cast<double>(batch.Cv[0][0]);
+}
+
+StyledVolume shadowed(StyledVolume volume)
+{
+    ShadowStore().add(volume, 0);
+    return volume;
+}
+
+/// From a place in a box to where the ray leaves it, or to the light.
+double lengthOfWay(const dvec3& dimensions, const dvec3& from, const StyleLight& light)
+{
+    const bool isFar = light.kind == StyleLight::Kind::directional;
+    const dvec3 way = isFar ? dvec3(-light.direction) : dvec3(light.position) - from;
+    double length = isFar ? 1e9 : 1.0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (way[axis] != 0.0)
+            length =
+                std::min(length, (std::copysign(dimensions[axis] / 2.0, way[axis]) - from[axis]) / way[axis]);
+    return length * glm::length(way);
+}
+
+TEST(Shadows, ofAConstantVolumeFallWithTheLengthOfTheWay)
+{
+    const glm::vec3 dimensions(2.0f, 1.5f, 1.0f);
+    const double opacity = 51.0 / 255.0;
+    for (const StyleLight& light :
+         {sunOf({0, 0, -1}), sunOf({0, 1, 0}), sunOf({0.3f, -0.8f, 0.5f}), sunOf({-1, 0.9f, -0.95f}),
+          lampAt({0, 4, 0}), lampAt({-1.5f, 0.3f, 0.9f}), lampAt({0.4f, 0.2f, -0.1f})}) {
+        const StyledVolume volume = shadowed(
+            volumeOf(voxelsOf({5, 4, 3}, [&](const dvec3&) { return opacity; }), dimensions, {light}));
+        const double offset = static_cast<double>(shadowOffset(dimensions));
+        EXPECT_LT(offset, 0.05);
+        for (const double x : {-0.9, -0.31, 0.02, 0.77})
+            for (const double y : {-0.7, -0.2, 0.55})
+                for (const double z : {-0.45, 0.04, 0.4}) {
+                    const double length = lengthOfWay(dvec3(dimensions), {x, y, z}, light) - offset;
+                    const double expected = std::pow(1.0 - opacity, std::max(length, 0.0) / 0.25);
+                    EXPECT_NEAR(lightAt(volume, {x, y, z}), expected, 0.004) << x << " " << y << " " << z;
+                }
+    }
+}
+
+/// Solid within the ball, else clear.
+double ball(const dvec3& place, const dvec3& center, double radius)
+{
+    return glm::distance(place, center) < radius ? 1.0 : 0.0;
+}
+
+// A ball of radius 0.2 at a height of 0.2, with a plate at -0.4, in a cube of 1.
+TEST(Shadows, ofABallLieOnThePlateBehindIt)
+{
+    const auto valueAt = [](const dvec3& place) {
+        return place.y < 0.1 ? 1.0 : ball(place, {0.5, 0.7, 0.5}, 0.2);
+    };
+    const dvec3 center(0.0, 0.2, 0.0);
+    const double plate = -0.38;
+    for (const StyleLight& light :
+         {sunOf({0, -1, 0}), sunOf({0.4f, -1, 0.2f}), lampAt({0, 2.2f, 0}), lampAt({-0.3f, 1.4f, 0.2f})}) {
+        StyledVolume volume = volumeOf(voxelsOf({64, 64, 64}, valueAt), glm::vec3(1.0f), {light});
+        volume.unitLength = 1.0 / 64.0;
+        volume = shadowed(volume);
+        const bool isFar = light.kind == StyleLight::Kind::directional;
+        const dvec3 way = isFar ? dvec3(light.direction) : center - dvec3(light.position);
+        const dvec3 middle = center + way * ((plate - center.y) / way.y);
+        EXPECT_LT(lightAt(volume, middle), 0.02);
+        int dark = 0, lit = 0;
+        for (double x = -0.45; x < 0.46; x += 0.05)
+            for (double z = -0.45; z < 0.46; z += 0.05) {
+                const dvec3 at(x, plate, z);
+                // How far the straight way to the light passes the ball.
+                const dvec3 L = glm::normalize(isFar ? -way : dvec3(light.position) - at);
+                const double distance = glm::length(glm::cross(center - at, L));
+                if (distance < 0.18) {
+                    EXPECT_LT(lightAt(volume, at), 0.02) << x << " " << z;
+                    ++dark;
+                } else if (distance > 0.23) {
+                    EXPECT_GT(lightAt(volume, at), 0.98) << x << " " << z;
+                    ++lit;
+                }
+            }
+        EXPECT_GT(dark, 20);
+        EXPECT_GT(lit, 100);
+    }
+}
+
+/// One half solid: x above 0.
+std::shared_ptr<VoxelTexture> halfSolid()
+{
+    return voxelsOf({32, 32, 32}, [](const dvec3& place) { return place.x > 0.5 ? 1.0 : 0.0; });
+}
+
+TEST(Shadows, ofWhatIsNotDrawnAreNone)
+{
+    const StyleLight light = sunOf({-1, 0, 0});
+    const dvec3 behind(-0.3, 0, 0);
+    EXPECT_LT(lightAt(shadowed(volumeOf(halfSolid(), glm::vec3(1.0f), {light})), behind), 0.01);
+    StyledVolume clipped = volumeOf(halfSolid(), glm::vec3(1.0f), {light});
+    clipped.worldFromLocal[3] = {5, 0, 0, 1};
+    clipped.clipPlanes = {{-1, 0, 0, 5}};
+    EXPECT_GT(lightAt(shadowed(clipped), behind), 0.95);
+    StyledVolume segmented = volumeOf(halfSolid(), glm::vec3(1.0f), {light});
+    segmented.segments = Segments{halfSolid(), 0, 1.0f, {0, -1}, 0};
+    EXPECT_GT(lightAt(shadowed(segmented), behind), 0.95);
+    segmented.segments->chainOf = {0, 0};
+    EXPECT_LT(lightAt(shadowed(segmented), behind), 0.01);
+    OpacityMap reversed;
+    reversed.opaqueAtZero = true;
+    segmented.chains.push_back({makeStyle(reversed)});
+    segmented.segments->chainOf = {0, 1};
+    EXPECT_GT(lightAt(shadowed(segmented), behind), 0.95);
+}
+
+TEST(Shadows, ofStylesThatLookAtTheEyeAreThoseOfTheirFaces)
+{
+    StyledVolume volume = volumeOf(voxelsOf({32, 1, 1}, [](const dvec3& place) { return place.x; }),
+                                   glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    const dvec3 at(-0.3, 0, 0);
+    SilhouetteEnhancement rim;
+    rim.retainedOpacity = 0.0f;
+    rim.boundaryOpacity = 1.0f;
+    volume.chains = {{makeStyle(rim), shadedWithShadows()}};
+    EXPECT_GT(lightAt(shadowed(volume), at), 0.99);
+    rim.retainedOpacity = 1.0f;
+    volume.chains = {{makeStyle(rim), shadedWithShadows()}};
+    EXPECT_LT(lightAt(shadowed(volume), at), 0.5);
+}
+
+TEST(Shadows, ofSurfacesFallBehindThem)
+{
+    StyledVolume volume = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    volume.surfaces = IsoSurfaces{{0.5f}, {{makeStyle(OpacityMap{}), shadedWithShadows()}}, 0.0f, nullptr};
+    const StyledVolume shown = shadowed(volume);
+    EXPECT_NEAR(lightAt(shown, {-0.3, 0.1, 0.2}), 0.5, 0.003);
+    EXPECT_GT(lightAt(shown, {0.3, 0.1, 0.2}), 0.99);
+    volume.clipPlanes = {{-1, 0, 0, -0.1}};
+    EXPECT_GT(lightAt(shadowed(volume), {-0.3, 0.1, 0.2}), 0.99);
+}
+
+/// Takes what a style is given.
+class Recorder final : public Style
+{
+public:
+    explicit Recorder(ShadowTextures given = {}) : textures(std::move(given)) {}
+    bool asksForShadows() const override { return true; }
+    std::shared_ptr<const Style> withShadows(const ShadowTextures& given) const override
+    {
+        return std::make_shared<Recorder>(given);
+    }
+    void apply(const StyleSurroundings&, SampleBatch&) const override {}
+    void write(GlslChain&) const override {}
+
+    ShadowTextures textures;
+};
+
+/// Of a volume whose first style records.
+std::shared_ptr<const VoxelTexture> textureOf(const StyledVolume& volume, std::size_t number = 0)
+{
+    return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.at(number);
+}
+
+TEST(Shadows, areKeptWhileNothingChanges)
+{
+    StyledVolume plain = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0}), lampAt({2, 3, 4})});
+    plain.chains = {{std::make_shared<Recorder>(), makeStyle(OpacityMap{})}};
+    ShadowStore store;
+    const auto textureFor = [&](StyledVolume volume) {
+        store.add(volume, 0);
+        return textureOf(volume);
+    };
+    const auto first = textureFor(plain);
+    EXPECT_EQ(textureFor(plain), first);
+    StyledVolume changed = plain;
+    changed.chains[0][1] = makeStyle(OpacityMap{}); // the same in another place
+    changed.surroundings.lights[0].intensity = 0.3f;
+    EXPECT_EQ(textureFor(changed), first);
+    OpacityMap reversed;
+    reversed.opaqueAtZero = true;
+    changed.chains[0][1] = makeStyle(reversed);
+    EXPECT_NE(textureFor(changed), first);
+    EXPECT_EQ(textureFor(plain), first);
+    changed = plain;
+    changed.unitLength *= 2.0;
+    EXPECT_NE(textureFor(changed), first);
+    changed = plain;
+    changed.clipPlanes = {{1, 0, 0, 0}};
+    EXPECT_NE(textureFor(changed), first);
+    changed = plain;
+    changed.voxels = halfSolid();
+    EXPECT_NE(textureFor(changed), first);
+    changed = plain;
+    changed.surroundings.lights[1].position.x = 7.0f;
+    EXPECT_NE(textureFor(changed), first);
+}
+
+TEST(Shadows, ofFourLightsAreInOneTexture)
+{
+    StyledVolume volume = volumeOf(halfSolid(), glm::vec3(1.0f), {});
+    for (int i = 0; i < 9; ++i)
+        volume.surroundings.lights.push_back(i == 5 ? sunOf({-1, 0, 0}) : sunOf({1, 0, 0}));
+    volume.chains = {{std::make_shared<Recorder>()}};
+    const StyledVolume nine = shadowed(volume);
+    EXPECT_EQ(textureOf(nine)->components, 4);
+    const VoxelTexture& second = *textureOf(nine, 1);
+    EXPECT_EQ(second.components, 4);
+    EXPECT_THROW(textureOf(nine, 2), std::out_of_range);
+    EXPECT_EQ(second.size, (VoxelSize{128, 128, 128}));
+    std::array<std::uint16_t, 4> texel{};
+    std::memcpy(texel.data(), second.texels.data(), sizeof texel);
+    EXPECT_LT(texel[1], 100);
+    texel[1] = 0;
+    EXPECT_EQ(texel, (std::array<std::uint16_t, 4>{65535, 0, 65535, 65535}));
+    volume.surroundings.lights.resize(5);
+    EXPECT_EQ(textureOf(shadowed(volume), 1)->components, 1);
+}
+
+TEST(Shadows, haveTexelsByTheSidesOfTheBox)
+{
+    StyledVolume volume = volumeOf(halfSolid(), {0.5f, 2.0f, 0.001f}, {sunOf({-1, 0, 0})});
+    volume.chains = {{std::make_shared<Recorder>()}};
+    EXPECT_EQ(textureOf(shadowed(volume))->size, (VoxelSize{32, 128, 1}));
+}
+
+TEST(Shadows, areForStylesThatAskForThem)
+{
+    Shaded shaded;
+    EXPECT_FALSE(makeStyle(shaded)->asksForShadows());
+    shaded.shadows = true;
+    EXPECT_FALSE(makeStyle(shaded)->asksForShadows());
+    EXPECT_EQ(makeStyle(shaded)->withShadows({}), nullptr);
+    EXPECT_TRUE(shadedWithShadows()->asksForShadows());
+    Blended blended;
+    EXPECT_FALSE(makeStyle(blended)->asksForShadows());
+    blended.chain = {shadedWithShadows()};
+    EXPECT_TRUE(makeStyle(blended)->asksForShadows());
+    EXPECT_TRUE(makeStyle(blended)->withShadows({})->asksForShadows());
+}
+
+TEST(Shadows, ofVolumesWithoutSenseAreNone)
+{
+    const auto recorded = [](StyledVolume volume) {
+        volume.chains = {{std::make_shared<Recorder>()}};
+        ShadowStore().add(volume, 0);
+        return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.size();
+    };
+    const StyledVolume whole = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    EXPECT_EQ(recorded(whole), 1u);
+    StyledVolume volume = whole;
+    volume.voxels = nullptr;
+    EXPECT_EQ(recorded(volume), 0u);
+    volume = whole;
+    volume.dimensions.x = 0.0f;
+    EXPECT_EQ(recorded(volume), 0u);
+    auto few = std::make_shared<VoxelTexture>();
+    few->size = {4, 4, 4};
+    volume = whole;
+    volume.voxels = few;
+    EXPECT_EQ(recorded(volume), 0u);
+    volume = whole;
+    volume.tetras = std::make_shared<StyledTetras>();
+    EXPECT_EQ(recorded(volume), 0u);
+    volume = whole;
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    volume.surroundings.lights = {lampAt({none, 0, 0}), sunOf({0, 0, 0}), lampAt({0, none, 1})};
+    EXPECT_EQ(recorded(volume), 1u);
+}
+
+} // namespace
+} // namespace vo
