@@ -239,6 +239,10 @@ public:
         : grid_(grid), light_(light), offset_(kOffset * longestEdge(grid.edges)),
           size_{grid.size.x, grid.size.y, grid.size.z}, stride_{1, size_[0], size_[0] * size_[1]}
     {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            next_[axis] = size_[axis] > 1 ? stride_[axis] : 0;
+            highest_[axis] = std::nextafter(static_cast<float>(size_[axis] - 1), 0.0f);
+        }
     }
 
     float throughTo(const std::array<long, 3>& texel) const
@@ -282,19 +286,18 @@ private:
         return steps;
     }
 
-    /// Of two neighbours along an axis, the first's offset, the way to the second and its weight.
-    struct Neighbours
+    /// Where a coordinate lies: the first neighbour's offset, and the second's weight.
+    struct Between
     {
-        long offset, next;
+        long offset;
         float weight;
     };
 
-    Neighbours neighboursAt(std::size_t axis, float coordinate) const
+    Between betweenAt(std::size_t axis, float coordinate) const
     {
-        const float inside = std::clamp(coordinate, 0.0f, static_cast<float>(size_[axis] - 1));
-        const auto low = static_cast<long>(inside);
-        return {low * stride_[axis], low + 1 < size_[axis] ? stride_[axis] : 0,
-                inside - static_cast<float>(low)};
+        const float inside = std::max(std::min(coordinate, highest_[axis]), 0.0f);
+        const auto low = static_cast<int>(inside);
+        return {low * stride_[axis], inside - static_cast<float>(low)};
     }
 
     /// The grid `number` steps away: linear between four texels of a plane.
@@ -304,12 +307,13 @@ private:
             return static_cast<float>(texel[axis]) + steps.step[axis] * static_cast<float>(number);
         };
         const long plane = std::clamp(texel[steps.axis] + steps.sign * number, 0L, size_[steps.axis] - 1);
-        const Neighbours u = neighboursAt(steps.across, coordinate(steps.across));
-        const Neighbours v = neighboursAt(steps.up, coordinate(steps.up));
+        const Between u = betweenAt(steps.across, coordinate(steps.across));
+        const Between v = betweenAt(steps.up, coordinate(steps.up));
+        const long right = next_[steps.across], above = next_[steps.up];
         const float* const at = grid_.texels.data() + plane * stride_[steps.axis] + u.offset + v.offset;
-        const float below = at[0] + (at[u.next] - at[0]) * u.weight;
-        const float above = at[v.next] + (at[v.next + u.next] - at[v.next]) * u.weight;
-        return below + (above - below) * v.weight;
+        const float low = at[0] + (at[right] - at[0]) * u.weight;
+        const float high = at[above] + (at[above + right] - at[above]) * u.weight;
+        return low + (high - low) * v.weight;
     }
 
     /// A sample counts for the part of the way to the middles between it and its neighbours.
@@ -345,7 +349,8 @@ private:
     const ShadowGrid& grid_;
     const StyleLight& light_;
     float offset_;
-    std::array<long, 3> size_, stride_;
+    std::array<long, 3> size_, stride_, next_{};
+    std::array<float, 3> highest_{}; ///< coordinates that have a neighbour above
 };
 
 } // namespace
