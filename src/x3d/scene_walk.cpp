@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kMostDepth = 2000;
 constexpr std::size_t kMostVisits = 1'000'000;
 constexpr std::size_t kMostShown = 100'000;
+constexpr int kMostVolumes = 512;
 constexpr std::size_t kMostOctants = 8;
 
 /// How far a walk may go: nodes stand in many places, and a program may have put them below themselves.
@@ -127,12 +128,14 @@ private:
         if (isCutOff_) return;
         isCutOff_ = true;
         messages_.error(node, "expected scenes at most " + std::to_string(kMostDepth) + " deep, with " +
-                                  std::to_string(kMostShown) + " volumes and shapes in " +
-                                  std::to_string(kMostVisits) + " places, found more: cut off");
+                                  std::to_string(kMostVolumes) + " volumes and " +
+                                  std::to_string(kMostShown) + " shapes in " + std::to_string(kMostVisits) +
+                                  " places, found more: cut off");
     }
 
     void show(const Node& node, const glm::dmat4& worldFromLocal)
     {
+        if (isOf(&node, "X3DVolumeDataNode") && ++volumes_ > kMostVolumes) return tellOfLimits(node);
         if (isInvertible(worldFromLocal))
             found_.nodes.push_back({&node, worldFromLocal, path_, lights_, planes_});
         else
@@ -191,6 +194,7 @@ private:
     std::optional<glm::dvec3> eye_;
     ViewMessages& messages_;
     WalkBudget budget_;
+    int volumes_ = 0;
     bool isCutOff_ = false;
     ShownNodes found_;
     std::vector<const Node*> path_;

@@ -400,15 +400,28 @@ TEST(StyledView, collapsedTransformsAreToldOfOnce)
     EXPECT_EQ(s.messages(), "s.x3d:3: warning: VolumeData stands in a Transform without extent: not drawn\n");
 }
 
-TEST(StyledView, nodesInTooManyPlacesAreCutOff)
+/// 2^24 places of a node.
+std::string inManyPlaces(const std::string& node)
 {
-    std::string nodes = "<Group DEF='G0'><Shape><Box/></Shape></Group>";
+    std::string nodes = "<Group DEF='G0'>" + node + "</Group>";
     for (int level = 1; level <= 24; ++level) {
         const std::string before = "<Group USE='G" + std::to_string(level - 1) + "'/>";
         nodes += "<Group DEF='G" + std::to_string(level) + "'>" + before + before + "</Group>";
     }
-    const ViewedScene s(nodes);
+    return nodes;
+}
+
+TEST(StyledView, nodesInTooManyPlacesAreCutOff)
+{
+    const ViewedScene s(inManyPlaces("<Shape><Box/></Shape>"));
     EXPECT_LE(s.drawn.surfaces.size(), 100'000u);
+    EXPECT_NE(s.messages().find("cut off"), std::string::npos);
+}
+
+TEST(StyledView, volumesInTooManyPlacesAreCutOff)
+{
+    const ViewedScene s(inManyPlaces(kVolume));
+    EXPECT_EQ(s.drawn.volumes.size(), 512u);
     EXPECT_NE(s.messages().find("cut off"), std::string::npos);
 }
 
@@ -421,7 +434,7 @@ TEST(StyledView, nodesBelowThemselvesEnd)
     children.push_back(&group);
     group.put(slot, children);
     s.draw();
-    EXPECT_LE(s.drawn.volumes.size(), 2001u);
+    EXPECT_LE(s.drawn.volumes.size(), 512u);
     EXPECT_NE(s.messages().find("cut off"), std::string::npos);
 }
 
