@@ -78,6 +78,17 @@ bool interrupted()
     return interruptedFlag != 0;
 }
 
+EndsWhenInterrupted::EndsWhenInterrupted()
+    : onInterrupt_(std::signal(SIGINT, SIG_DFL)), onTerminate_(std::signal(SIGTERM, SIG_DFL))
+{
+}
+
+EndsWhenInterrupted::~EndsWhenInterrupted()
+{
+    std::signal(SIGINT, onInterrupt_);
+    std::signal(SIGTERM, onTerminate_);
+}
+
 void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all)
 {
     if (!::isatty(STDERR_FILENO)) return;

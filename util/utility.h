@@ -24,6 +24,21 @@ int runUtility(const Utility& utility, int argc, char** argv);
 /// file is removed.
 bool interrupted();
 
+/// While it lives, SIGINT and SIGTERM end the program at once: for work that takes long, does not look at
+/// interrupted() and has no file open for writing.
+class EndsWhenInterrupted
+{
+public:
+    EndsWhenInterrupted();
+    ~EndsWhenInterrupted();
+    EndsWhenInterrupted(const EndsWhenInterrupted&) = delete;
+    EndsWhenInterrupted& operator=(const EndsWhenInterrupted&) = delete;
+
+private:
+    void (*onInterrupt_)(int);
+    void (*onTerminate_)(int);
+};
+
 /// Prints how far the work is, on a terminal only.
 void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all);
 

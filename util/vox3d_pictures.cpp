@@ -43,6 +43,7 @@ public:
 
     Result<std::span<const float>> paint()
     {
+        const EndsWhenInterrupted atOnce;
         if (!context_) {
             if (!view_.picture(pixels_.data())) return failure();
             return std::span<const float>(pixels_);

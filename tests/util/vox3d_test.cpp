@@ -269,6 +269,20 @@ TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 
+TEST_F(Vox3dPicture, aLongPictureEndsWhenItIsToldTo)
+{
+    std::string nodes = "<Group DEF='G0'>" + cube("0xff000001") + "</Group>";
+    for (int level = 1; level <= 9; ++level) {
+        const std::string before = "<Group USE='G" + std::to_string(level - 1) + "'/>";
+        nodes += "<Group DEF='G" + std::to_string(level) + "'>" + before + before + "</Group>";
+    }
+    const std::string output = folder / "long.png";
+    const ProgramRun run = runProgram("timeout -s TERM -k 60 2 " VOX3D " " + scene("long.x3d", nodes) +
+                                      " -size 8000 8000 -output " + output);
+    EXPECT_EQ(run.status, 124) << "137: it went on until it was killed\n" << run.output;
+    EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 TEST_F(Vox3dPicture, withoutADisplayAPictureIsWritten)
 {
     const std::string path = scene("cube.x3d", cube("0xff000080"));
