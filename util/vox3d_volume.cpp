@@ -349,13 +349,14 @@ private:
         return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
     }
 
-    /// The eye's axes in the world as a quaternion: by -longitude about z after 90 + latitude about x.
+    /// The eye's axes in the world as a quaternion, for the same view as voglBasic has: by longitude about z
+    /// after 90 + latitude about x.
     std::array<double, 4> eyeTurn() const
     {
         constexpr double kDegree = std::numbers::pi / 180;
         const double longitude = options_.view ? (*options_.view)[1] : values_.isOriented ? 180 : 0;
         const double latitude = options_.view ? (*options_.view)[0] : 0;
-        const double z = -longitude * kDegree / 2, x = (90 + latitude) * kDegree / 2;
+        const double z = longitude * kDegree / 2, x = (90 + latitude) * kDegree / 2;
         return {std::cos(z) * std::cos(x), std::cos(z) * std::sin(x), std::sin(z) * std::sin(x),
                 std::sin(z) * std::cos(x)};
     }

@@ -237,6 +237,26 @@ TEST_F(Vox3dPicture, aVolumeIsShownInEveryStyle)
     EXPECT_NE(read(folder / "saved.x3d").find("\"ball.tif\""), std::string::npos) << "relative to the scene";
 }
 
+TEST_F(Vox3dPicture, aViewIsThatOfTheOtherPrograms)
+{
+    // voglBasic's -view 0 90 looks from +x, where the right of a person is, and -view 0 0 from -y.
+    const auto eye = [&](const std::string& view) {
+        EXPECT_EQ(vox3d(ball() + " -view " + view + " -save " + (folder / "view.x3d")).status, 0);
+        const std::string text = read(folder / "view.x3d");
+        std::istringstream numbers(text.substr(text.find("position='") + 10));
+        std::array<double, 3> place{};
+        numbers >> place[0] >> place[1] >> place[2];
+        return place;
+    };
+    const auto right = eye("0 90"), back = eye("0 0"), above = eye("90 0");
+    EXPECT_GT(right[0], 20);
+    EXPECT_NEAR(right[1], 0, 1e-3);
+    EXPECT_LT(back[1], -20);
+    EXPECT_NEAR(back[0], 0, 1e-3);
+    EXPECT_NEAR(above[0], 0, 1e-3);
+    EXPECT_NEAR(above[1], 0, 1e-3);
+}
+
 TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
 {
     const std::string volume = ball();
