@@ -14,7 +14,7 @@
 namespace vo {
 namespace {
 
-constexpr std::size_t kMostDepth = 2000;
+constexpr std::size_t kMostDepth = 500;
 constexpr std::size_t kMostVisits = 1'000'000;
 constexpr std::size_t kMostShown = 100'000;
 constexpr int kMostVolumes = 512;

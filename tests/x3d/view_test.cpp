@@ -150,7 +150,8 @@ TEST_F(View, camerasByMatricesAreTaken)
         scaled[i] = 2 * eye[i];
     view.setCamera(scaled, projection);
     EXPECT_TRUE(refused()) << "no rigid motion";
-    view.setCamera(eye, scaled + 1);
+    const GLdouble singular[16] = {0.5};
+    view.setCamera(eye, singular);
     EXPECT_TRUE(refused()) << "singular";
     view.setCamera(NULL, projection);
     EXPECT_TRUE(refused());
