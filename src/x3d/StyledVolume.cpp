@@ -8,18 +8,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "cast/cast_scene.h"
 #include "core/invertible.h"
-#include "draw/scene_screen.h"
 #include "x3d/node_lights.h"
 #include "x3d/node_transform.h"
 #include "x3d/node_values.h"
+#include "x3d/scene_painter.h"
 #include "x3d/volume_styles.h"
 
 namespace vo {
 namespace {
-
-constexpr int kMostPixels = 32768;
 
 int componentsOf(voExternalFormatType format)
 {
@@ -137,13 +134,6 @@ double voxelEdge(const StyledTetras& tetras, const VoxelSize& size)
     return space > 0 && voxels > 0 ? space / voxels : 1;
 }
 
-glm::dmat4 matrixOf(const GLdouble* numbers, const char* name)
-{
-    const glm::dmat4 matrix = glm::make_mat4(&required(numbers, name));
-    if (!isInvertible(matrix)) badValue(std::string(name) + " is singular or not finite");
-    return matrix;
-}
-
 } // namespace
 } // namespace vo
 
@@ -161,8 +151,7 @@ struct voX3DStyledVolume::Private
     bool headlight = true;
     std::vector<StyleLight> lights; // of eye space
     StyledVolume volume;
-    SceneCaster caster;
-    std::unique_ptr<SceneScreen> screen;
+    ScenePainter painter;
 
     void copy()
     {
@@ -180,17 +169,15 @@ struct voX3DStyledVolume::Private
 
     StyledScene styledScene(const GLdouble* model, const GLdouble* projection, int width, int height)
     {
-        if (std::min(width, height) < 1 || std::max(width, height) > kMostPixels)
-            badValue("expected 1 to " + std::to_string(kMostPixels) + " pixels, found " +
-                     std::to_string(width) + " x " + std::to_string(height));
+        ScenePainter::checkSize(width, height);
         if (!volume.voxels) badValue("there are no voxels");
         StyledScene made;
         made.width = width;
         made.height = height;
-        made.clipFromEye = matrixOf(projection, "projMatrix");
+        made.clipFromEye = givenMatrix(projection, "projMatrix");
         made.background.opacity = 0;
         StyledVolume placed = volume;
-        placed.worldFromLocal = matrixOf(model, "modelMatrix");
+        placed.worldFromLocal = givenMatrix(model, "modelMatrix");
         placed.spacing = placed.unitLength * smallestScale(placed.worldFromLocal);
         if (!placed.tetras) // whose corner is the origin, in the tetrahedra's space
             placed.worldFromLocal =
@@ -232,7 +219,7 @@ private:
 
 voX3DStyledVolume::voX3DStyledVolume(voX3DScene& scene, const voX3DNode& style, voBrickSetCollection* bricks,
                                      voIndexedTetraSet* tetras, voInterleavedArrayType format)
-    : d(new Private{scene, bricks, tetras, format, scene.d->scene, nullptr, true, {}, {}, {}, nullptr})
+    : d(new Private{scene, bricks, tetras, format, scene.d->scene, nullptr, true, {}, {}, {}})
 {
     update();
     setStyle(style);
@@ -283,35 +270,20 @@ voBool voX3DStyledVolume::draw(const GLdouble modelMatrix[16], const GLdouble pr
                                int height, voEngine engine)
 {
     return !guarded("draw", [&] {
-        if (engine < voEngineScope::AUTOMATIC || engine > voEngineScope::CAST)
-            badEnum("expected AUTOMATIC, SLICES or CAST, found " + std::to_string(engine));
-        const StyledScene scene = d->styledScene(modelMatrix, projMatrix, width, height);
-        if (!d->screen) d->screen = std::make_unique<SceneScreen>();
-        const bool isCast = engine == voEngineScope::CAST ||
-                            (engine == voEngineScope::AUTOMATIC && d->screen->prefersCasting());
-        if (!isCast) {
-            d->screen->draw(scene);
-            return;
-        }
-        ScenePicture cast;
-        d->caster.cast(scene, 0, cast);
-        d->screen->show(cast);
+        d->painter.draw(engine, [&] { return d->styledScene(modelMatrix, projMatrix, width, height); });
     });
 }
 
 void voX3DStyledVolume::releaseDrawing()
 {
-    d->screen.reset();
+    d->painter.releaseDrawing();
 }
 
 voBool voX3DStyledVolume::picture(const GLdouble modelMatrix[16], const GLdouble projMatrix[16], int width,
                                   int height, float* rgba, int threads)
 {
     return !guarded("picture", [&] {
-        required(rgba, "rgba");
-        if (threads < 0) badValue("expected 0 or more threads, found " + std::to_string(threads));
-        ScenePicture cast;
-        d->caster.cast(d->styledScene(modelMatrix, projMatrix, width, height), threads, cast);
-        std::ranges::copy(cast.rgba, rgba);
+        d->painter.picture(rgba, threads,
+                           [&] { return d->styledScene(modelMatrix, projMatrix, width, height); });
     });
 }

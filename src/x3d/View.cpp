@@ -8,10 +8,9 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "cast/cast_scene.h"
 #include "cast/pick_scene.h"
-#include "draw/scene_screen.h"
 #include "x3d/node_values.h"
+#include "x3d/scene_painter.h"
 #include "x3d/view_session.h"
 
 struct voX3DView::Private
@@ -19,8 +18,7 @@ struct voX3DView::Private
     voX3DScene& face;
     std::unique_ptr<vo::ViewSession> kept;
     vo::ViewRequest request;
-    vo::SceneCaster caster;
-    std::unique_ptr<vo::SceneScreen> screen;
+    vo::ScenePainter painter;
 
     explicit Private(voX3DScene& scene) : face(scene) {}
 
@@ -38,20 +36,9 @@ struct voX3DView::Private
 namespace vo {
 namespace {
 
-constexpr int kMostPixels = 32768;
-
-glm::dmat4 matrixOf(const GLdouble* numbers, const char* name)
-{
-    const glm::dmat4 matrix = glm::make_mat4(&required(numbers, name));
-    for (int i = 0; i < 16; ++i)
-        if (!std::isfinite(numbers[i])) badValue(std::string(name) + " has numbers that are not finite");
-    if (glm::determinant(matrix) == 0) badValue(std::string(name) + " is singular");
-    return matrix;
-}
-
 glm::dmat4 rigidMatrixOf(const GLdouble* numbers, const char* name)
 {
-    const glm::dmat4 matrix = matrixOf(numbers, name);
+    const glm::dmat4 matrix = givenMatrix(numbers, name);
     const glm::dmat3 axes(matrix), square = axes * glm::transpose(axes);
     double off = 0;
     for (int i = 0; i < 3; ++i)
@@ -132,9 +119,7 @@ voX3DView::~voX3DView()
 void voX3DView::setSize(int width, int height)
 {
     guarded("setSize", [&] {
-        if (std::min(width, height) < 1 || std::max(width, height) > kMostPixels)
-            badValue("expected 1 to " + std::to_string(kMostPixels) + " pixels, found " +
-                     std::to_string(width) + " x " + std::to_string(height));
+        ScenePainter::checkSize(width, height);
         d->request.width = width;
         d->request.height = height;
     });
@@ -197,7 +182,8 @@ voBool voX3DView::setViewpoint(const char* name)
 void voX3DView::setCamera(const GLdouble eyeFromWorld[16], const GLdouble projection[16])
 {
     guarded("setCamera", [&] {
-        d->request.camera = {rigidMatrixOf(eyeFromWorld, "eyeFromWorld"), matrixOf(projection, "projection")};
+        d->request.camera = {rigidMatrixOf(eyeFromWorld, "eyeFromWorld"),
+                             givenMatrix(projection, "projection")};
     });
 }
 
@@ -266,35 +252,20 @@ double voX3DView::getCycle()
 voBool voX3DView::draw(voEngine engine)
 {
     return !guarded("draw", [&] {
-        if (engine < voEngineScope::AUTOMATIC || engine > voEngineScope::CAST)
-            badEnum("expected AUTOMATIC, SLICES or CAST, found " + std::to_string(engine));
-        if (!d->screen) d->screen = std::make_unique<SceneScreen>();
-        const StyledScene scene = d->session(d->face.d->scene).styledScene(d->request);
-        const bool isCast = engine == voEngineScope::CAST ||
-                            (engine == voEngineScope::AUTOMATIC && d->screen->prefersCasting());
-        if (!isCast) {
-            d->screen->draw(scene);
-            return;
-        }
-        ScenePicture cast;
-        d->caster.cast(scene, 0, cast);
-        d->screen->show(cast);
+        d->painter.draw(engine, [&] { return d->session(d->face.d->scene).styledScene(d->request); });
     });
 }
 
 void voX3DView::releaseDrawing()
 {
-    d->screen.reset();
+    d->painter.releaseDrawing();
 }
 
 voBool voX3DView::picture(float* rgba, int threads)
 {
     return !guarded("picture", [&] {
-        required(rgba, "rgba");
-        if (threads < 0) badValue("expected 0 or more threads, found " + std::to_string(threads));
-        ScenePicture cast;
-        d->caster.cast(d->session(d->face.d->scene).styledScene(d->request), threads, cast);
-        std::ranges::copy(cast.rgba, rgba);
+        d->painter.picture(rgba, threads,
+                           [&] { return d->session(d->face.d->scene).styledScene(d->request); });
     });
 }
 
