@@ -5,8 +5,8 @@
 
 #include <jpeglib.h>
 
+#include "decoded_picture.h"
 #include "input_file.h"
-#include "stored_voxels.h"
 
 namespace vo {
 namespace {
@@ -92,18 +92,8 @@ Result<VolumeFile> openJpegVolume(const std::string& path)
     StoredLayout layout;
     layout.size = {reader.jpeg.output_width, reader.jpeg.output_height, 1};
     layout.channels = reader.jpeg.output_components;
-    const auto bytes = storedBytes(path, layout);
-    if (!bytes) return bytes.failure();
-    if (*bytes / kMostBytesPerFileByte > file->size())
-        return Failure{path + ": expected " + std::to_string(*bytes) + " bytes of pixels, found a file of " +
-                       std::to_string(file->size()) + " bytes, which cannot hold them"};
-    auto block = MemoryBlock::allocate(path, *bytes);
-    if (!block) return block.failure();
-    if (!reader.readRows(block->bytes().data()))
-        return Failure{path + ": cannot read the picture: " + reader.message};
-    VolumeDescription about;
-    about.format = "JPEG";
-    return openStoredVoxels(layout, Placement(), bytesInMemory(std::move(*block)), std::move(about));
+    return openPicture(path, "JPEG", layout, kMostBytesPerFileByte,
+                       [&](std::byte* pixels) { return reader.readRows(pixels) ? nullptr : reader.message; });
 }
 
 } // namespace vo

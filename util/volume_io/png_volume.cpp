@@ -6,8 +6,8 @@
 #include <cstring>
 #include <png.h>
 
+#include "decoded_picture.h"
 #include "input_file.h"
-#include "stored_voxels.h"
 
 namespace vo {
 namespace {
@@ -89,18 +89,9 @@ Result<VolumeFile> openPngVolume(const std::string& path)
                    png_get_image_height(reader.png, reader.info), 1};
     layout.channels = png_get_channels(reader.png, reader.info);
     layout.type = png_get_bit_depth(reader.png, reader.info) == 16 ? StoredType::uint16 : StoredType::uint8;
-    const auto bytes = storedBytes(path, layout);
-    if (!bytes) return bytes.failure();
-    if (*bytes / kMostBytesPerFileByte > file->size())
-        return Failure{path + ": expected " + std::to_string(*bytes) + " bytes of pixels, found a file of " +
-                       std::to_string(file->size()) + " bytes, which cannot hold them"};
-    auto block = MemoryBlock::allocate(path, *bytes);
-    if (!block) return block.failure();
-    if (!reader.readRows(block->bytes().data(), layout.size[0] * layout.pixelBytes()))
-        return Failure{path + ": cannot read the picture: " + reader.message};
-    VolumeDescription about;
-    about.format = "PNG";
-    return openStoredVoxels(layout, Placement(), bytesInMemory(std::move(*block)), std::move(about));
+    return openPicture(path, "PNG", layout, kMostBytesPerFileByte, [&](std::byte* pixels) {
+        return reader.readRows(pixels, layout.size[0] * layout.pixelBytes()) ? nullptr : reader.message;
+    });
 }
 
 } // namespace vo
