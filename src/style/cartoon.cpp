@@ -119,7 +119,7 @@ void CartoonStyle::apply(const StyleSurroundings&, SampleBatch& samples) const
     BatchFloats nV;
     facing(n, samples.V, nV);
     for (std::size_t i = 0; i < static_cast<std::size_t>(samples.count); ++i) {
-        const bool none = n[0][i] == 0.0f && n[1][i] == 0.0f && n[2][i] == 0.0f;
+        const bool none = isNone(n, i);
         const bool seen = nV[i] >= 0.0f && !none;
         const glm::vec4 tone = seen ? tones_[static_cast<std::size_t>(partOf(nV[i]))] : glm::vec4(0.0f);
         samples.Cv[0][i] = tone.r;

@@ -52,7 +52,7 @@ void EdgeEnhancementStyle::apply(const StyleSurroundings&, SampleBatch& samples)
     BatchFloats nV;
     facing(n, samples.V, nV);
     for (std::size_t i = 0; i < kBatchSize; ++i) {
-        const bool none = n[0][i] == 0.0f && n[1][i] == 0.0f && n[2][i] == 0.0f;
+        const bool none = isNone(n, i);
         const float cosine = std::abs(nV[i]);
         nV[i] = cosine >= cosine_ || none ? 1.0f : cosine;
     }

@@ -53,7 +53,7 @@ void SilhouetteEnhancementStyle::apply(const StyleSurroundings&, SampleBatch& sa
     BatchFloats nV;
     facing(n, samples.V, nV);
     for (std::size_t i = 0; i < static_cast<std::size_t>(samples.count); ++i) {
-        const bool none = n[0][i] == 0.0f && n[1][i] == 0.0f && n[2][i] == 0.0f;
+        const bool none = isNone(n, i);
         const float turned = none ? 0.0f : 1.0f - std::abs(nV[i]);
         const float boundary = fields_.boundaryOpacity * raised(turned, fields_.sharpness);
         samples.Ov[i] = std::min(samples.Ov[i] * (fields_.retainedOpacity + boundary), 1.0f);

@@ -28,6 +28,12 @@ private:
     TexturePointer texture_;
 };
 
+/// A sample without a normal has 0 0 0.
+inline bool isNone(const BatchVectors& n, std::size_t sample)
+{
+    return n[0][sample] == 0.0f && n[1][sample] == 0.0f && n[2][sample] == 0.0f;
+}
+
 /// n.V of each sample.
 void facing(const BatchVectors& n, const BatchVectors& V, BatchFloats& cosines);
 

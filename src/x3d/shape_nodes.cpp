@@ -1,6 +1,7 @@
 #include "x3d/shape_nodes.h"
 
 #include "x3d/face_set_mesh.h"
+#include "x3d/node_material.h"
 #include "x3d/node_values.h"
 #include "x3d/solid_meshes.h"
 
@@ -74,12 +75,7 @@ void ShapeNodes::applyMaterial(const Node& shape, const SurfaceMesh& mesh, Style
     const Node* const material = appearance ? nodeOf(*appearance, "material") : nullptr;
     if (appearance) tellOfTextures(*appearance);
     if (material) {
-        surface.ambientIntensity = floatOf(*material, "ambientIntensity", surface.ambientIntensity);
-        surface.shininess = floatOf(*material, "shininess", surface.shininess);
-        surface.transparency = floatOf(*material, "transparency", surface.transparency);
-        surface.diffuse = vec3Of(*material, "diffuseColor", surface.diffuse);
-        surface.emissive = vec3Of(*material, "emissiveColor", surface.emissive);
-        surface.specular = vec3Of(*material, "specularColor", surface.specular);
+        readMaterial(*material, surface);
     } else if (mesh.colors.empty()) {
         surface.lit = false;
         surface.emissive = glm::vec3(1.0f);

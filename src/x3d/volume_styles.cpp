@@ -2,6 +2,7 @@
 
 #include "style/styles.h"
 #include "x3d/fixed_opacity.h"
+#include "x3d/node_material.h"
 #include "x3d/node_values.h"
 
 #include <string>
@@ -150,12 +151,7 @@ void VolumeStyles::addShaded(const Node& style, const VoxelsToDraw& voxels, Draw
     fields.shadows = boolOf(style, "shadows");
     if (const Node* const material = nodeOf(style, "material")) {
         fields.hasMaterial = true;
-        fields.ambientIntensity = floatOf(*material, "ambientIntensity", fields.ambientIntensity);
-        fields.shininess = floatOf(*material, "shininess", fields.shininess);
-        fields.transparency = floatOf(*material, "transparency", fields.transparency);
-        fields.diffuse = vec3Of(*material, "diffuseColor", fields.diffuse);
-        fields.emissive = vec3Of(*material, "emissiveColor", fields.emissive);
-        fields.specular = vec3Of(*material, "specularColor", fields.specular);
+        readMaterial(*material, fields);
     }
     fields.surfaceNormals = surfaceNormals(style, voxels);
     if (isOf(&style, "ISOSurfaceVolumeStyle")) {
