@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/sample_padded.h"
 #include "core/kept_array.h"
 #include "style/sample_batch.h"
 #include "style/voxel_texture.h"
@@ -17,7 +18,7 @@ namespace vo {
 class PaddedVoxels
 {
 public:
-    static constexpr int kPadding = 2;
+    static constexpr int kPadding = PaddedGrid::kPadding;
     /// Edges of the blocks of cells whose range is known.
     static constexpr int kBlockShift = 3;
     struct Range
@@ -28,14 +29,22 @@ public:
     /// Of a texture that isUsable(): its one component, or the mean of the first three (two components: the
     /// first). In up to `threads` threads. Throws std::bad_alloc.
     PaddedVoxels(const VoxelTexture& texture, int threads);
+    PaddedVoxels(const PaddedVoxels&) = delete;
 
     /// The first `count` values at places (S, T, R), filtered as the texture says.
-    void values(int count, const BatchVectors& place, BatchFloats& value) const;
+    void values(int count, const BatchVectors& place, BatchFloats& value) const
+    {
+        sampleValues(grid_, count, place, value);
+    }
     /// How much the value changes along S, T and R: half of what it is a voxel farther less what it is a
     /// voxel before.
-    void changes(int count, const BatchVectors& place, BatchVectors& change) const;
+    void changes(int count, const BatchVectors& place, BatchVectors& change) const
+    {
+        sampleChanges(grid_, count, place, change);
+    }
 
-    const VoxelSize& size() const { return size_; }
+    const VoxelSize& size() const { return grid_.size; }
+    const PaddedGrid& grid() const { return grid_; }
     /// The cell in which a place from 0 to 1 lies, and how far in it, without what repeats.
     glm::vec3 cellOf(const glm::vec3& place) const;
     /// What values the cells of each block have, x fastest; none for textures of several components, or that
@@ -45,24 +54,12 @@ public:
     std::size_t bytes() const { return memory_.size(); }
 
 private:
-    struct Corner;
-    Corner cornerAt(const BatchVectors& place, std::size_t i) const;
     template <class T>
     void fill(const VoxelTexture& texture, int threads);
     template <class T>
-    void valuesOf(int count, const BatchVectors& place, BatchFloats& value) const;
-    template <class T>
-    void changesOf(int count, const BatchVectors& place, BatchVectors& change) const;
-
-    template <class T>
     void findRanges(int threads);
 
-    VoxelSize size_;
-    TexelKind kind_ = TexelKind::uint8;
-    bool nearest_ = false;
-    std::array<bool, 3> repeats_{};
-    float unit_ = 1.0f; ///< of a stored number
-    std::ptrdiff_t row_ = 0, slice_ = 0;
+    PaddedGrid grid_;
     KeptArray<std::byte> memory_;
     glm::ivec3 blockCount_{0};
     std::vector<Range> ranges_;
