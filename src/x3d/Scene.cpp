@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "x3d/check_scene.h"
+#include "x3d/check_textures.h"
 #include "x3d/printable_word.h"
 #include "x3d/write_scene.h"
 
@@ -112,7 +113,10 @@ int voX3DScene::getLeftOutMessageCount() const
 
 void voX3DScene::check()
 {
-    guarded("check", [&] { checkScene(*d->scene); });
+    guarded("check", [&] {
+        checkScene(*d->scene);
+        checkTextures(*d->scene);
+    });
 }
 
 const char* voX3DScene::getVersion() const

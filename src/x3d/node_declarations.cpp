@@ -285,6 +285,16 @@ abstract X3DTexture3DNode : X3DSingleTextureNode
 node ComposedTexture3D : X3DTexture3DNode | Texturing3D 1 | texture
   MFNode [in,out] texture [] <X3DTexture2DNode>
 node ImageTexture3D : X3DTexture3DNode X3DUrlObject | Texturing3D 2 | texture
+node ImageTextureAtlas : X3DTexture3DNode X3DUrlObject | Texturing3D 1 | texture
+  SFInt32 [in,out] numberOfSlices 0 [0,inf)
+  SFInt32 [in,out] slicesOverX 0 [0,inf)
+  SFInt32 [in,out] slicesOverY 0 [0,inf)
+  SFInt32 [in,out] channel 0
+  SFString [in,out] crossOrigin ""
+  SFBool [in,out] flipY FALSE
+  SFBool [in,out] hideChildren TRUE
+  SFInt32 [in,out] origChannelCount 0
+  SFBool [in,out] scale TRUE
 node PixelTexture3D : X3DTexture3DNode | Texturing3D 1 | texture
   MFInt32 [in,out] image 0 0 0 0
 node TextureProperties : X3DNode | Texturing 2 | textureProperties

@@ -2,6 +2,7 @@
 
 #include "x3d/node_values.h"
 #include "x3d/pixel_images.h"
+#include "x3d/slice_atlas.h"
 
 #include <algorithm>
 #include <cstring>
@@ -28,6 +29,20 @@ void turnRows(VoxelTexture& texture)
 bool isFlat(const Node& node)
 {
     return isOf(&node, "X3DTexture2DNode");
+}
+
+/// What a node makes of its file: slices, or a picture turned as the node has it.
+TextureResult arranged(const Node& node, const std::string& path, std::shared_ptr<VoxelTexture> read)
+{
+    const bool isAtlas = isOf(&node, "ImageTextureAtlas");
+    if (!isAtlas && !isFlat(node)) return {std::move(read), ""};
+    if (read->size.z != 1)
+        return {nullptr, path + ": expected a picture, found " + std::to_string(read->size.z) + " slices"};
+    if (isFlat(node) || boolOf(node, "flipY")) turnRows(*read);
+    if (!isAtlas) return {std::move(read), ""};
+    TextureResult slices = atlasSlices(node, std::move(read));
+    if (!slices.texture) slices.reason.insert(0, path + ": ");
+    return slices;
 }
 
 } // namespace
@@ -58,6 +73,8 @@ TextureResult VoxelTextures::make(const Node& node, TexelUse use)
 {
     try {
         if (isOf(&node, "ComposedTexture3D")) return composed(node, use);
+        if (isOf(&node, "ImageTextureAtlas"))
+            if (std::string wrong = atlasObjection(node); !wrong.empty()) return {nullptr, std::move(wrong)};
         if (node.field("url")) return readUrls(node, use);
         return pixelImage(node);
     } catch (const std::bad_alloc&) {
@@ -72,12 +89,7 @@ TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use)
         const auto place = scene_.locate(node, url);
         TextureResult read{nullptr, place.reason};
         if (place.reason.empty()) read = readVoxelFile(place.path.string(), use);
-        if (read.texture && isFlat(node)) {
-            turnRows(*read.texture);
-            if (read.texture->size.z == 1) return read;
-            read = {nullptr, place.path.string() + ": expected a picture, found " +
-                                 std::to_string(read.texture->size.z) + " slices"};
-        }
+        if (read.texture) read = arranged(node, place.path.string(), std::move(read.texture));
         if (read.texture) return read;
         reasons += (reasons.empty() ? "" : "; ") + read.reason;
         if (reasons.size() > 400) break;

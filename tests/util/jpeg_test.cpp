@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include <jpeglib.h>
-
+#include "jpeg_file.h"
 #include "scratch_folder.h"
 #include "volume_truth.h"
 
@@ -17,35 +16,6 @@ namespace {
 std::uint8_t smooth(int x, int y, int channel)
 {
     return static_cast<std::uint8_t>(channel == 0 ? 3 * x : channel == 1 ? 3 * y : 240 - 3 * x);
-}
-
-void writeJpeg(const std::string& path, int width, int height, int channels, bool progressive = false)
-{
-    jpeg_compress_struct jpeg{};
-    jpeg_error_mgr errors{};
-    jpeg.err = jpeg_std_error(&errors);
-    jpeg_create_compress(&jpeg);
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    ASSERT_NE(file, nullptr);
-    jpeg_stdio_dest(&jpeg, file);
-    jpeg.image_width = static_cast<JDIMENSION>(width);
-    jpeg.image_height = static_cast<JDIMENSION>(height);
-    jpeg.input_components = channels;
-    jpeg.in_color_space = channels == 1 ? JCS_GRAYSCALE : channels == 3 ? JCS_RGB : JCS_CMYK;
-    jpeg_set_defaults(&jpeg);
-    jpeg_set_quality(&jpeg, 98, TRUE);
-    if (progressive) jpeg_simple_progression(&jpeg);
-    jpeg_start_compress(&jpeg, TRUE);
-    std::vector<std::uint8_t> row(static_cast<std::size_t>(width * channels));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width * channels; ++x)
-            row[static_cast<std::size_t>(x)] = smooth(x / channels, y, x % channels);
-        JSAMPROW rows = row.data();
-        jpeg_write_scanlines(&jpeg, &rows, 1);
-    }
-    jpeg_finish_compress(&jpeg);
-    jpeg_destroy_compress(&jpeg);
-    std::fclose(file);
 }
 
 void expectSmooth(const std::string& path, int channels)
@@ -68,9 +38,9 @@ void expectSmooth(const std::string& path, int channels)
 TEST(Jpeg, pixelsArriveInTheirPlaces)
 {
     ScratchFolder folder;
-    writeJpeg(folder / "grey.jpg", 70, 50, 1);
-    writeJpeg(folder / "color.jpg", 70, 50, 3);
-    writeJpeg(folder / "progressive.jpg", 70, 50, 3, true);
+    writeJpeg(folder / "grey.jpg", 70, 50, 1, smooth);
+    writeJpeg(folder / "color.jpg", 70, 50, 3, smooth);
+    writeJpeg(folder / "progressive.jpg", 70, 50, 3, smooth, true);
     expectSmooth(folder / "grey.jpg", 1);
     expectSmooth(folder / "color.jpg", 3);
     expectSmooth(folder / "progressive.jpg", 3);
@@ -79,9 +49,9 @@ TEST(Jpeg, pixelsArriveInTheirPlaces)
 TEST(Jpeg, whatCannotBeReadSaysSo)
 {
     ScratchFolder folder;
-    writeJpeg(folder / "inks.jpg", 70, 50, 4);
+    writeJpeg(folder / "inks.jpg", 70, 50, 4, smooth);
     EXPECT_FALSE(openVolume(folder / "inks.jpg"));
-    writeJpeg(folder / "whole.jpg", 70, 50, 3);
+    writeJpeg(folder / "whole.jpg", 70, 50, 3, smooth);
     const auto bytes = std::filesystem::file_size(folder / "whole.jpg");
     for (const auto kept : {std::uintmax_t{3}, bytes / 10, bytes / 2, bytes - 10}) {
         std::filesystem::copy_file(folder / "whole.jpg", folder / "half.jpg",
@@ -96,7 +66,7 @@ TEST(Jpeg, whatCannotBeReadSaysSo)
 TEST(Jpeg, sizesThatTheFileCannotHoldAreRefused)
 {
     ScratchFolder folder;
-    writeJpeg(folder / "a.jpg", 16, 16, 1);
+    writeJpeg(folder / "a.jpg", 16, 16, 1, smooth);
     std::fstream file(folder / "a.jpg", std::ios::in | std::ios::out | std::ios::binary);
     std::string bytes(std::istreambuf_iterator<char>(file), {});
     const auto frame = bytes.find("\xff\xc0");

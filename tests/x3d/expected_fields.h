@@ -523,6 +523,25 @@ ImageTexture3D
   repeatT SFBool [] FALSE
   repeatR SFBool [] FALSE
   textureProperties SFNode [] NULL
+ImageTextureAtlas
+  description SFString [in,out] ""
+  load SFBool [in,out] TRUE
+  url MFString [in,out] []
+  autoRefresh SFTime [in,out] 0
+  autoRefreshTimeLimit SFTime [in,out] 3600
+  repeatS SFBool [] FALSE
+  repeatT SFBool [] FALSE
+  repeatR SFBool [] FALSE
+  textureProperties SFNode [] NULL
+  numberOfSlices SFInt32 [in,out] 0
+  slicesOverX SFInt32 [in,out] 0
+  slicesOverY SFInt32 [in,out] 0
+  hideChildren SFBool [in,out] TRUE
+  scale SFBool [in,out] TRUE
+  crossOrigin SFString [in,out] ""
+  flipY SFBool [in,out] FALSE
+  origChannelCount SFInt32 [in,out] 0
+  channel SFInt32 [in,out] 0
 PixelTexture3D
   description SFString [in,out] ""
   image MFInt32 [in,out] 0 0 0 0

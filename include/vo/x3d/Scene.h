@@ -33,8 +33,8 @@ public:
     voBool isError(int index) const;
     int getErrorCount() const;
     int getLeftOutMessageCount() const;
-    /** Adds messages on what the scene needs and does not have: files that urls name, components that its profile does
-        not bring. */
+    /** Adds messages on what the scene needs and does not have: files that urls name, slice atlases that can be cut,
+        components that its profile does not bring. */
     void check();
 
     const char *getVersion() const;
