@@ -13,6 +13,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace vo {
 namespace {
@@ -43,12 +44,14 @@ struct SceneView::Private
     void addHeadlight(const ViewRequest& request, const Node* viewpoint,
                       const std::vector<PlacedNode>& bindables, const glm::dmat4& eyeFromWorld);
     void addShown(StyledScene& styled);
+    float originalDistance(const ShownNode& place, const glm::dmat4& eyeFromWorld);
 
     Scene& scene;
     ViewMessages messages;
     VolumeNodes volumes;
     ShapeNodes shapes;
     ShownNodes shown;
+    std::map<std::vector<const Node*>, float> originalDistances; // by the way to a place
 };
 
 PlacedNode SceneView::Private::viewpointOf(const ViewRequest& request,
@@ -93,6 +96,13 @@ void SceneView::Private::addHeadlight(const ViewRequest& request, const Node* vi
         each.lights.insert(each.lights.begin(), headlight(eyeFromWorld));
 }
 
+/// From the eye to the middle of the volume, along the view, when it was drawn first.
+float SceneView::Private::originalDistance(const ShownNode& place, const glm::dmat4& eyeFromWorld)
+{
+    const double distance = -(eyeFromWorld * place.worldFromLocal)[3].z;
+    return originalDistances.emplace(place.path, static_cast<float>(std::max(distance, 0.0))).first->second;
+}
+
 /// The id of a node is its place among those that are shown, from 1.
 void SceneView::Private::addShown(StyledScene& styled)
 {
@@ -103,6 +113,8 @@ void SceneView::Private::addShown(StyledScene& styled)
         if (isOf(each.node, "X3DVolumeDataNode")) {
             if (auto volume = volumes.of(each)) {
                 volume->id = id;
+                if (volume->stipple)
+                    volume->stipple->originalDistance = originalDistance(each, styled.eyeFromWorld);
                 styled.volumes.push_back(std::move(*volume));
             }
         } else if (auto surface = shapes.of(each)) {

@@ -2,6 +2,7 @@
 
 #include "style/styles.h"
 #include "x3d/fixed_opacity.h"
+#include "x3d/gradient_color.h"
 #include "x3d/node_material.h"
 #include "x3d/node_values.h"
 
@@ -94,13 +95,15 @@ void VolumeStyles::addMap(const Node* function, bool opaqueAtZero, const VoxelsT
 void VolumeStyles::addBoundary(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)
 {
     if (const Node* const function = nodeOf(style, "transferFunction")) addMap(function, true, voxels, drawn);
-    for (const char* const field : {"contribution", "gradientColor", "surfaceNormals"})
+    for (const char* const field : {"contribution", "surfaceNormals"})
         ignore(style, field);
+    surfaceNormals(style, voxels); // tells of another size, as the proposal asks
     BoundaryEnhancement fields;
     fields.retainedOpacity = floatOf(style, "retainedOpacity");
     fields.boundaryOpacity = floatOf(style, "boundaryOpacity");
     fields.opacityFactor = floatOf(style, "opacityFactor");
     drawn.chain.push_back(makeStyle(fields));
+    if (isSet(style, "gradientColor")) drawn.chain.push_back(gradientColor(vec4Of(style, "gradientColor")));
 }
 
 void VolumeStyles::addCartoon(const Node& style, const VoxelsToDraw& voxels, DrawnStyle& drawn)

@@ -17,14 +17,21 @@ constexpr const char* kScene =
     "<PixelTexture3D containerField='voxels' image='1 2 2 2 10 60 120 180 240 30 90 150'/>"
     "</VolumeData></Transform></Scene></X3D>";
 
-TEST(ViewGl, bothEnginesDrawThePictureThatIsThereWithoutOpenGl)
+constexpr const char* kGradientScene =
+    "<X3D profile='Full' version='3.0'><Scene><NavigationInfo headlight='false'/>"
+    "<Viewpoint position='0 0 6'/><Transform rotation='1 1 0 0.6'><VolumeData dimensions='2 2 2'>"
+    "<PixelTexture3D containerField='voxels' image='1 2 2 2 10 60 120 180 240 30 90 150'/>"
+    "<BoundaryEnhancementVolumeStyle gradientColor='1 0.3 0 0.8'/>"
+    "</VolumeData></Transform></Scene></X3D>";
+
+void expectOnePicture(const char* text)
 {
     constexpr int kWidth = 60, kHeight = 50;
     std::string whyNot;
     const auto context = vo::openOffscreen({.width = kWidth, .height = kHeight, .floatColor = true}, &whyNot);
     ASSERT_TRUE(context) << whyNot;
     voX3DScene scene;
-    ASSERT_TRUE(scene.readText(kScene, std::char_traits<char>::length(kScene), "test"));
+    ASSERT_TRUE(scene.readText(text, std::char_traits<char>::length(text), "test"));
     voX3DView view(scene);
     view.setSize(kWidth, kHeight);
     std::vector<float> expected(4 * kWidth * kHeight);
@@ -48,6 +55,16 @@ TEST(ViewGl, bothEnginesDrawThePictureThatIsThereWithoutOpenGl)
     }
     view.releaseDrawing();
     EXPECT_GT(expected[4 * (25 * kWidth + 30)], 0.1f) << "the volume is seen";
+}
+
+TEST(ViewGl, bothEnginesDrawThePictureThatIsThereWithoutOpenGl)
+{
+    expectOnePicture(kScene);
+}
+
+TEST(ViewGl, bothEnginesMixInGradientColors)
+{
+    expectOnePicture(kGradientScene);
 }
 
 TEST(ViewGl, anotherContextIsRefusedUntilDrawingIsReleased)

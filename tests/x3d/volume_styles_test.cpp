@@ -117,6 +117,32 @@ TEST(VolumeStyles, boundaryEnhancementOf2005HasATransferFunctionFirst)
     expectNear(s.of(), {0, 1, 0, 64 / 255.0f});
 }
 
+TEST(VolumeStyles, gradientColorIsMixedInWhereTheValueChanges)
+{
+    const StyledGrey s("<BoundaryEnhancementVolumeStyle retainedOpacity='0.5' gradientColor='1 0.5 0 0.5'/>",
+                       "3.0");
+    expectNear(s.of({0.25f, {0, 0, 1}, 0.0f}), {0.25f, 0.25f, 0.25f, 0.125f});
+    expectNear(s.of({0.25f, {0, 0, 1}, 0.25f}),
+               {0.75f * 0.25f + 0.25f, 0.75f * 0.25f + 0.125f, 0.75f * 0.25f, 0.125f});
+    // A leap between neighbours is 1/2, along several edges more.
+    for (const float gradient : {0.5f, 0.8f})
+        expectNear(s.of({0.25f, {0, 0, 1}, gradient}), {0.625f, 0.375f, 0.125f, 0.125f});
+}
+
+TEST(VolumeStyles, boundaryEnhancementTellsOfNormalsOfAnotherSize)
+{
+    const ViewedScene s("<VolumeData>" + kGrey +
+                            "<BoundaryEnhancementVolumeStyle><PixelTexture3D "
+                            "containerField='surfaceNormals' image='3 1 1 1 0'/>"
+                            "</BoundaryEnhancementVolumeStyle></VolumeData>",
+                        "3.0");
+    EXPECT_EQ(s.messages(),
+              "s.x3d:2: warning: BoundaryEnhancementVolumeStyle.surfaceNormals is in no equation and changes "
+              "nothing\n"
+              "s.x3d:2: warning: BoundaryEnhancementVolumeStyle: expected normals of the voxels' size, "
+              "2 x 2 x 2, with 3 components, found 1 x 1 x 1 with 3: computed from the voxels instead\n");
+}
+
 TEST(VolumeStyles, cartoonIsTheSameInAllEditions)
 {
     for (const char* const version : kVersions) {
@@ -246,6 +272,25 @@ TEST(VolumeStyles, stippleHasTheFactorsOfTheProposal)
         glm::vec3(0.3f, 0.4f, 7));
 }
 
+TEST(VolumeStyles, stipplesKnowHowFarTheyWereInTheFirstPicture)
+{
+    const std::string stippled = "<VolumeData>" + kGrey + "<StippleVolumeStyle/></VolumeData>";
+    ViewedScene s("<Viewpoint position='0 0 7'/><Transform translation='0 0 -3'>" + stippled +
+                      "</Transform><Transform translation='2 0 1' scale='2 2 2'>" + stippled + "</Transform>",
+                  "3.0");
+    const auto distance = [&](std::size_t volume) {
+        return s.drawn.volumes.at(volume).stipple->originalDistance;
+    };
+    ViewRequest nearer;
+    nearer.camera.emplace();
+    nearer.camera->eyeFromWorld[3].z = -5.0;
+    for (const ViewRequest& request : {ViewRequest(), nearer}) {
+        s.draw(request);
+        EXPECT_FLOAT_EQ(distance(0), 10);
+        EXPECT_FLOAT_EQ(distance(1), 6);
+    }
+}
+
 TEST(VolumeStyles, blendedHasOtherVoxelsWithAStyleOfTheirOwn)
 {
     const std::string other = "<PixelTexture3D image='1 1 1 1 255'/>";
@@ -328,13 +373,13 @@ TEST(VolumeStyles, whatChangesNothingIsToldOf)
     const ViewedScene s(
         "<VolumeData>" + kGrey +
             "<CompositeVolumeStyle><EdgeEnhancementVolumeStyle contribution='0.5'/>"
-            "<BoundaryEnhancementVolumeStyle gradientColor='1 0 0 1'/>"
+            "<BoundaryEnhancementVolumeStyle contribution='0.1'/>"
             "<ISOSurfaceVolumeStyle lighting='true' shadows='true'/></CompositeVolumeStyle></VolumeData>",
         "3.0");
     EXPECT_EQ(s.messages(),
               "s.x3d:2: warning: EdgeEnhancementVolumeStyle.contribution is in no equation and changes "
               "nothing\n"
-              "s.x3d:2: warning: BoundaryEnhancementVolumeStyle.gradientColor is in no equation and "
+              "s.x3d:2: warning: BoundaryEnhancementVolumeStyle.contribution is in no equation and "
               "changes nothing\n");
 }
 
