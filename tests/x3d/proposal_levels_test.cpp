@@ -331,6 +331,26 @@ TEST(ProposalLevels, allFieldsOfAllNodesAreListed)
     }
 }
 
+TEST(ProposalLevels, oneToFourComponentsAreDrawnInEveryStyle)
+{
+    for (int components = 1; components <= 4; ++components) {
+        const std::string voxels = balls("voxels", components, [components](int value, int) {
+            unsigned packed = 0;
+            for (int i = 0; i < components; ++i)
+                packed = packed << 8 | unsigned(value);
+            return packed;
+        });
+        for (const Attribute& row : kAttributes) {
+            if (std::string(row.field) != "enabled") continue;
+            const std::string below = std::string(row.node) == "CompositeVolumeStyle" ? kMap : "";
+            const Drawn one = drawn("<VolumeData dimensions='2 2 2'>" + voxels + "<" + row.node + ">" +
+                                    below + "</" + row.node + "></VolumeData>");
+            EXPECT_GT(brightest(one), 0.1) << row.node << " of " << components;
+            EXPECT_EQ(one.messages, "") << row.node << " of " << components;
+        }
+    }
+}
+
 TEST(ProposalLevels, lowResActiveIsSentToOthers)
 {
     const std::string route =
