@@ -69,9 +69,9 @@ void CastVolume::findClear()
     if (styled->voxels->components != 1) return;
     const bool samples = !styled->surfaces && !styled->projection;
     if (samples) clear = ClearValues(plans);
-    if (styled->tetras || voxels->blockRanges().empty()) return;
-    if (styled->surfaces) blocks = ClearBlocks(*voxels, *styled->surfaces);
-    if (samples) blocks = ClearBlocks(*voxels, clear);
+    if (styled->tetras || voxels->blocks().ranges.empty()) return;
+    if (styled->surfaces) blocks = ClearBlocks(voxels->blocks(), *styled->surfaces);
+    if (samples) blocks = ClearBlocks(voxels->blocks(), clear);
 }
 
 void CastVolume::read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const

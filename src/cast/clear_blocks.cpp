@@ -9,13 +9,13 @@
 namespace vo {
 
 template <class IsClear>
-void ClearBlocks::mark(const PaddedVoxels& voxels, const IsClear& isClear)
+void ClearBlocks::mark(const VoxelBlocks& blocks, const IsClear& isClear)
 {
-    count_ = voxels.blockCount();
-    distance_.resize(voxels.blockRanges().size() + 4);
+    count_ = blocks.count;
+    distance_.resize(blocks.ranges.size() + 4);
     std::size_t clear = 0;
-    for (std::size_t block = 0; block < voxels.blockRanges().size(); ++block) {
-        const auto [low, high] = voxels.blockRanges()[block];
+    for (std::size_t block = 0; block < blocks.ranges.size(); ++block) {
+        const auto [low, high] = blocks.ranges[block];
         distance_[block] = isClear(low, high) ? EmptyBlocks::kFarthest : 0;
         clear += distance_[block] != 0 ? 1 : 0;
     }
@@ -25,14 +25,14 @@ void ClearBlocks::mark(const PaddedVoxels& voxels, const IsClear& isClear)
         findBlockDistances(count_, distance_.data());
 }
 
-ClearBlocks::ClearBlocks(const PaddedVoxels& voxels, const ClearValues& clear)
+ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const ClearValues& clear)
 {
-    if (!clear.empty()) mark(voxels, [&](float low, float high) { return clear.hasAll(low, high); });
+    if (!clear.empty()) mark(blocks, [&](float low, float high) { return clear.hasAll(low, high); });
 }
 
-ClearBlocks::ClearBlocks(const PaddedVoxels& voxels, const IsoSurfaces& surfaces)
+ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const IsoSurfaces& surfaces)
 {
-    mark(voxels, [&](float low, float high) {
+    mark(blocks, [&](float low, float high) {
         return std::none_of(surfaces.values.begin(), surfaces.values.end(),
                             [&](float value) { return low < value && high >= value; });
     });

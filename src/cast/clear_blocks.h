@@ -18,21 +18,24 @@ public:
     /// None.
     ClearBlocks() = default;
     /// Where all values are clear.
-    ClearBlocks(const PaddedVoxels& voxels, const ClearValues& clear);
+    ClearBlocks(const VoxelBlocks& blocks, const ClearValues& clear);
     /// Where no value of a surface is crossed.
-    ClearBlocks(const PaddedVoxels& voxels, const IsoSurfaces& surfaces);
+    ClearBlocks(const VoxelBlocks& blocks, const IsoSurfaces& surfaces);
 
     bool empty() const { return distance_.empty(); }
+    const glm::ivec3& count() const { return count_; }
+    /// To the next block that is not clear, in blocks, x fastest: 0 in those. A few bytes more follow.
+    const std::vector<std::uint8_t>& distances() const { return distance_; }
     /// Of samples from `cell` on, `step` apart (both in cells of the voxels): how many at least lie in clear
     /// blocks that hang together.
     int leap(const glm::vec3& cell, const glm::vec3& step) const;
 
 private:
     template <class IsClear>
-    void mark(const PaddedVoxels& voxels, const IsClear& isClear);
+    void mark(const VoxelBlocks& blocks, const IsClear& isClear);
 
     glm::ivec3 count_{0};
-    std::vector<std::uint8_t> distance_; ///< to the next block that is not clear, in blocks; 0 in those
+    std::vector<std::uint8_t> distance_;
 };
 
 } // namespace vo

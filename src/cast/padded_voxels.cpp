@@ -89,13 +89,14 @@ void PaddedVoxels::findRanges(int threads)
 {
     constexpr int kEdge = 1 << kBlockShift;
     const glm::ivec3 padded = glm::ivec3(grid_.size.x, grid_.size.y, grid_.size.z) + 2 * kPadding;
-    blockCount_ = (padded + kEdge - 1) / kEdge;
-    const auto inSlice = static_cast<std::size_t>(blockCount_.x) * static_cast<std::size_t>(blockCount_.y);
-    ranges_.resize(inSlice * static_cast<std::size_t>(blockCount_.z));
+    blocks_.count = (padded + kEdge - 1) / kEdge;
+    const auto inSlice =
+        static_cast<std::size_t>(blocks_.count.x) * static_cast<std::size_t>(blocks_.count.y);
+    blocks_.ranges.resize(inSlice * static_cast<std::size_t>(blocks_.count.z));
     const T* const numbers = reinterpret_cast<const T*>(memory_.data());
-    parallelFor(static_cast<std::size_t>(blockCount_.z), threads, [&](std::size_t blockZ) {
+    parallelFor(static_cast<std::size_t>(blocks_.count.z), threads, [&](std::size_t blockZ) {
         for (std::size_t i = 0; i < inSlice; ++i) {
-            const auto across = static_cast<std::size_t>(blockCount_.x);
+            const auto across = static_cast<std::size_t>(blocks_.count.x);
             const glm::ivec3 first = glm::ivec3(i % across, i / across, blockZ) * kEdge;
             const glm::ivec3 last = glm::min(first + kEdge, padded - 1);
             T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
@@ -107,8 +108,8 @@ void PaddedVoxels::findRanges(int threads)
                         high = std::max(high, row[x]);
                     }
                 }
-            ranges_[blockZ * inSlice + i] = {static_cast<float>(low) * grid_.unit,
-                                             static_cast<float>(high) * grid_.unit};
+            blocks_.ranges[blockZ * inSlice + i] = {static_cast<float>(low) * grid_.unit,
+                                                    static_cast<float>(high) * grid_.unit};
         }
     });
 }

@@ -13,6 +13,17 @@
 
 namespace vo {
 
+/// What values the cells of each block of PaddedVoxels have, x fastest.
+struct VoxelBlocks
+{
+    struct Range
+    {
+        float low, high;
+    };
+    glm::ivec3 count{0};
+    std::vector<Range> ranges;
+};
+
 /// One number a voxel, as the texture has it, with kPadding voxels more on all sides that say what is outside
 /// (the edge again, or what repeats): neighbours are read without looking where the volume ends.
 class PaddedVoxels
@@ -21,10 +32,6 @@ public:
     static constexpr int kPadding = PaddedGrid::kPadding;
     /// Edges of the blocks of cells whose range is known.
     static constexpr int kBlockShift = 3;
-    struct Range
-    {
-        float low, high;
-    };
 
     /// Of a texture that isUsable(): its one component, or the mean of the first three (two components: the
     /// first). In up to `threads` threads. Throws std::bad_alloc.
@@ -47,10 +54,8 @@ public:
     const PaddedGrid& grid() const { return grid_; }
     /// The cell in which a place from 0 to 1 lies, and how far in it, without what repeats.
     glm::vec3 cellOf(const glm::vec3& place) const;
-    /// What values the cells of each block have, x fastest; none for textures of several components, or that
-    /// repeat.
-    const glm::ivec3& blockCount() const { return blockCount_; }
-    const std::vector<Range>& blockRanges() const { return ranges_; }
+    /// None for textures of several components, or that repeat.
+    const VoxelBlocks& blocks() const { return blocks_; }
     std::size_t bytes() const { return memory_.size(); }
 
 private:
@@ -61,8 +66,7 @@ private:
 
     PaddedGrid grid_;
     KeptArray<std::byte> memory_;
-    glm::ivec3 blockCount_{0};
-    std::vector<Range> ranges_;
+    VoxelBlocks blocks_;
 };
 
 /// True if the texture has all the texels it says, one to four components each.

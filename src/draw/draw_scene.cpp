@@ -5,8 +5,9 @@
 #include "draw/draw_stipples.h"
 #include "draw/draw_surfaces.h"
 #include "draw/draw_volumes.h"
-#include "draw/opaque_depths.h"
 #include "draw/scene_state.h"
+#include "draw/seen_bounds.h"
+#include "draw/translucent_target.h"
 #include "polygonize/slice_stack.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace vo {
 
@@ -38,6 +38,19 @@ std::vector<Step> stepsOf(const std::vector<std::unique_ptr<DrawnVolume>>& volum
     return steps;
 }
 
+/// Gives the caller's framebuffer back, whatever happens.
+class ScopedEnd
+{
+public:
+    explicit ScopedEnd(TranslucentTarget& target) : target_(target) {}
+    ~ScopedEnd() { target_.end(); }
+    ScopedEnd(const ScopedEnd&) = delete;
+    ScopedEnd& operator=(const ScopedEnd&) = delete;
+
+private:
+    TranslucentTarget& target_;
+};
+
 /// One draw for two steps that follow each other in a volume.
 bool joined(Step& step, const Step& next)
 {
@@ -55,13 +68,15 @@ struct SceneDrawer::Private
     SceneArrays arrays{resources.context};
     TranslucentSurfaces translucent{resources};
     DrawnStipples stipples{resources};
-    OpaqueDepths opaqueDepths{resources};
+    TranslucentTarget target{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
 
     void draw(const StyledScene& scene);
 
 private:
     std::size_t prepareVolumes(const StyledScene& scene);
+    void drawOpaque(const StyledScene& scene);
+    void drawTranslucent(const StyledScene& scene, std::size_t count);
     void drawLayers(const std::vector<Step>& steps);
     void checkErrors() const;
 };
@@ -69,31 +84,66 @@ private:
 /// How many there are to draw.
 std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
 {
-    std::size_t count = 0;
-    bool depthsDrawn = false;
-    for (const StyledVolume& volume : scene.volumes) {
-        if (!isDrawn(volume)) continue;
-        if (count == volumes.size()) volumes.push_back(std::make_unique<DrawnVolume>(resources));
-        const bool ends = isProjected(volume) && (hasOpaqueSurfaces(scene) || !stipples.empty());
-        if (ends && !std::exchange(depthsDrawn, true)) opaqueDepths.draw(scene, arrays, stipples);
-        volumes[count++]->prepare(scene, volume, slicer, ends ? &opaqueDepths : nullptr);
-    }
-    return count;
+    std::vector<const StyledVolume*> drawn;
+    for (const StyledVolume& volume : scene.volumes)
+        if (isDrawn(volume)) drawn.push_back(&volume);
+    const std::vector<bool> alone = standingAlone(scene, drawn);
+    while (volumes.size() < drawn.size())
+        volumes.push_back(std::make_unique<DrawnVolume>(resources));
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        volumes[i]->prepare(scene, *drawn[i], slicer, alone[i]);
+    return drawn.size();
+}
+
+void SceneDrawer::Private::drawOpaque(const StyledScene& scene)
+{
+    const GladGLContext& gl = resources.context.gl;
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    gl.DepthMask(GL_TRUE);
+    drawOpaqueSurfaces(scene, resources, arrays);
+    stipples.draw(scene);
+    gl.DepthMask(GL_FALSE);
 }
 
 void SceneDrawer::Private::drawLayers(const std::vector<Step>& steps)
 {
     std::size_t used = volumes.size();
+    const auto drawSurfacesBehind = [&](double depth) {
+        if (!translucent.anyBehind(depth)) return;
+        target.bindWithDepths();
+        resources.context.gl.Enable(GL_DEPTH_TEST);
+        translucent.drawBehind(depth);
+        used = volumes.size();
+    };
     for (std::size_t i = 0; i < steps.size();) {
         Step step = steps[i++];
-        if (translucent.drawBehind(step.depth)) used = volumes.size();
+        drawSurfacesBehind(step.depth);
         while (i < steps.size() && !translucent.anyBehind(steps[i].depth) && joined(step, steps[i]))
             ++i;
-        if (step.volume != used) volumes[step.volume]->use();
+        if (step.volume != used) volumes[step.volume]->use(target);
         used = step.volume;
         volumes[used]->draw(step.first, step.count);
     }
-    translucent.drawBehind(-std::numeric_limits<double>::infinity());
+    drawSurfacesBehind(-std::numeric_limits<double>::infinity());
+}
+
+void SceneDrawer::Private::drawTranslucent(const StyledScene& scene, std::size_t count)
+{
+    const std::vector<Step> steps = stepsOf(volumes, count);
+    std::vector<double> depths;
+    std::ranges::transform(steps, std::back_inserter(depths), &Step::depth);
+    translucent.prepare(scene, depths);
+    constexpr double kNearest = -std::numeric_limits<double>::infinity();
+    if (steps.empty() && !translucent.anyBehind(kNearest)) return;
+    if (!target.begin(scene.width, scene.height)) drawOpaque(scene);
+    constexpr float kClear[4] = {};
+    target.bindWithDepths();
+    resources.context.gl.ClearBufferfv(GL_COLOR, 0, kClear);
+    for (std::size_t i = 0; i < count; ++i)
+        volumes[i]->drawApart(target);
+    drawLayers(steps);
+    target.show();
 }
 
 void SceneDrawer::Private::checkErrors() const
@@ -111,11 +161,9 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     const ScopedSceneState state(resources.context);
     while (gl.GetError() != GL_NO_ERROR) {
     }
+    const ScopedEnd end(target);
     stipples.prepare(scene);
-    const std::vector<Step> steps = stepsOf(volumes, prepareVolumes(scene));
-    std::vector<double> depths;
-    std::ranges::transform(steps, std::back_inserter(depths), &Step::depth);
-    translucent.prepare(scene, depths);
+    const std::size_t count = prepareVolumes(scene);
 
     gl.Viewport(0, 0, scene.width, scene.height);
     gl.Enable(GL_BLEND);
@@ -123,13 +171,8 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.DepthMask(GL_FALSE);
     if (scene.background.opacity > 0.0f) drawSky(scene, resources, arrays);
-    gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LESS);
-    gl.DepthMask(GL_TRUE);
-    drawOpaqueSurfaces(scene, resources, arrays, SurfaceLook::color);
-    stipples.draw(scene, SurfaceLook::color);
-    gl.DepthMask(GL_FALSE);
-    drawLayers(steps);
+    drawOpaque(scene);
+    drawTranslucent(scene, count);
     resources.textures.endPicture();
     checkErrors();
 }

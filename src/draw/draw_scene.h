@@ -6,14 +6,15 @@
 
 namespace vo {
 
-/// Draws scenes by slices through OpenGL, in the context that is current, over what the framebuffer has:
-/// opaque surfaces first, then slices of all volumes and what of translucent surfaces lies between them, the
-/// farthest first. Needs a depth buffer, whose depths count, and clears nothing. All state is given back;
+/// Draws scenes through OpenGL, in the context that is current, over what the framebuffer has, whose depths
+/// count: first opaque surfaces, which write depths, then all that is translucent, the farthest first. That
+/// is joined in 32-bit floats, and blended into the framebuffer once. Volumes are drawn ray by ray, or slice
+/// by slice where something else may lie between their parts. Clears nothing. All state is given back;
 /// scissor, stencil and colour mask of the program stay in force. Programs stay until it goes, textures until
 /// some pictures had no use for them; it lives in one context.
 ///
-/// Left out: projections of tetrahedra. Crossings of values between two tetrahedra are found by the places of
-/// the nearer one.
+/// Where a framebuffer has several samples a pixel, translucent things are the same for all of them.
+/// Crossings of values between two tetrahedra are found by the places of the nearer one.
 class SceneDrawer
 {
 public:

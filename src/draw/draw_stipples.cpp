@@ -15,7 +15,6 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 color;
 uniform mat4 clipFromEye;
 uniform vec2 pictureSize;
-uniform bool asDepth;
 out vec3 shown;
 void main()
 {
@@ -23,7 +22,7 @@ void main()
     vec4 clip = clipFromEye * vec4(position, 1.0);
     vec2 pixel = floor((0.5 * clip.xy / clip.w + 0.5) * pictureSize) + 0.5;
     gl_Position = vec4((2.0 * pixel / pictureSize - 1.0) * clip.w, clip.zw);
-    shown = asDepth ? vec3(-position.z) : color;
+    shown = color;
 }
 )";
 
@@ -59,14 +58,13 @@ void DrawnStipples::prepare(const StyledScene& scene)
     arrays_.attribute(1, 3, 3, kValues);
 }
 
-void DrawnStipples::draw(const StyledScene& scene, SurfaceLook look)
+void DrawnStipples::draw(const StyledScene& scene)
 {
-    if (empty()) return;
+    if (count_ == 0) return;
     SceneProgram& program = resources_.programs.find(kVertexShader, kFragmentShader);
     program.use();
     program.set("clipFromEye", glm::mat4(scene.clipFromEye));
     program.set("pictureSize", glm::vec2(scene.width, scene.height));
-    program.set("asDepth", static_cast<int>(look == SurfaceLook::depth));
     arrays_.bind();
     resources_.context.gl.DrawArrays(GL_POINTS, 0, count_);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "draw/scene_resources.h"
-#include "draw/surface_program.h"
 #include "style/styled_scene.h"
 
 namespace vo {
@@ -13,9 +12,8 @@ public:
     explicit DrawnStipples(SceneResources& resources) : resources_(resources), arrays_(resources.context) {}
 
     void prepare(const StyledScene& scene);
-    bool empty() const { return count_ == 0; }
-    /// With the depth test that is set: their colours, or their eye depths.
-    void draw(const StyledScene& scene, SurfaceLook look);
+    /// With the depth test that is set.
+    void draw(const StyledScene& scene);
 
 private:
     SceneResources& resources_;

@@ -80,13 +80,7 @@ double marginOf(const glm::dvec3& normal, const std::array<glm::dvec3, 3>& eye, 
 
 } // namespace
 
-bool hasOpaqueSurfaces(const StyledScene& scene)
-{
-    return std::ranges::any_of(scene.surfaces, &StyledSurface::isOpaque);
-}
-
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays,
-                        SurfaceLook look)
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays)
 {
     std::vector<float> records;
     for (const StyledSurface& surface : scene.surfaces) {
@@ -97,7 +91,7 @@ void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, Sce
             append(records, normalAt(surface, vertex));
         }
         const std::vector<std::uint32_t> indices(surface.triangles.begin(), surface.triangles.end());
-        useSurfaceProgram(scene, surface, look, resources.programs);
+        useSurfaceProgram(scene, surface, SurfacePart::whole, resources.programs);
         arrays.send(records.data(), records.size());
         arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
         arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
@@ -232,7 +226,7 @@ void TranslucentSurfaces::drawSlab()
                triangles_[parts_[next_].triangle].surface == surface)
             ++next_;
         if (surface != used_)
-            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfaceLook::slab,
+            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfacePart::slab,
                                           resources_.programs);
         used_ = surface;
         program_->set("slab", glm::vec2(finite(nearest), finite(farthest)));

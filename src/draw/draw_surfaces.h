@@ -10,9 +10,7 @@
 namespace vo {
 
 /// Draws the opaque ones, with the depth test that is set.
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays,
-                        SurfaceLook look);
-bool hasOpaqueSurfaces(const StyledScene& scene);
+void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays);
 
 /// The translucent surfaces of a picture, drawn slab by slab between depths. In a slab the triangle whose
 /// middle is farthest comes first.

@@ -1,5 +1,6 @@
 #include "draw/draw_volumes.h"
 
+#include "cast/clear_space.h"
 #include "core/invertible.h"
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
@@ -16,6 +17,27 @@ namespace vo {
 namespace {
 
 constexpr int kTableWidth = 1024;
+/// Into which rays of a projection are divided by their first sample, where other things are in between.
+constexpr std::size_t kMostBands = 64;
+
+/// A new texture, unless it is the same.
+void replaceTexels(VoxelTexture& texture, TexelKind kind, const VoxelSize& size,
+                   std::vector<std::byte> texels)
+{
+    if (texels == texture.texels && size == texture.size) return;
+    texture.size = size;
+    texture.kind = kind;
+    texture.nearest = true;
+    texture.texels = std::move(texels);
+    texture.serial = newSerial();
+}
+
+/// Which way a volume is drawn that has nothing else between its parts, if `alone`.
+VolumeWay wayOf(const StyledVolume& volume, bool alone)
+{
+    if (isProjected(volume)) return volume.tetras ? VolumeWay::planeSamples : VolumeWay::projectedRays;
+    return alone && !volume.tetras ? VolumeWay::rays : VolumeWay::slices;
+}
 
 /// chainOf as texels, in rows.
 void fillChainTable(const std::vector<int>& chainOf, VoxelTexture& table)
@@ -26,19 +48,14 @@ void fillChainTable(const std::vector<int>& chainOf, VoxelTexture& table)
     std::ranges::transform(chainOf, values.begin(), [](int chain) { return static_cast<float>(chain); });
     std::vector<std::byte> texels(values.size() * sizeof(float));
     std::memcpy(texels.data(), values.data(), texels.size());
-    if (texels == table.texels && size == table.size) return;
-    table.size = size;
-    table.kind = TexelKind::float32;
-    table.nearest = true;
-    table.texels = std::move(texels);
-    table.serial = newSerial();
+    replaceTexels(table, TexelKind::float32, size, std::move(texels));
 }
 
 } // namespace
 
 bool isDrawn(const StyledVolume& volume)
 {
-    if (!volume.voxels || volume.stipple || (volume.tetras && isProjected(volume))) return false;
+    if (!volume.voxels || volume.stipple) return false;
     if (!isInvertible(volume.worldFromLocal) || volume.chains.empty()) return false;
     for (const double length :
          {static_cast<double>(volume.dimensions.x), static_cast<double>(volume.dimensions.y),
@@ -51,40 +68,53 @@ bool isDrawn(const StyledVolume& volume)
 DrawnVolume::DrawnVolume(SceneResources& resources) : resources_(resources), arrays_(resources.context) {}
 
 void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
-                          const OpaqueDepths* opaqueDepths)
+                          bool alone)
 {
     scene_ = &scene;
     volume_ = &volume;
-    opaqueDepths_ = opaqueDepths;
-    if (isProjected(volume))
-        countLayers(scene, volume, layers_);
-    else
-        cutLayers(scene, volume, slicer, layers_);
+    way_ = wayOf(volume, alone);
+    if (way_ != VolumeWay::slices)
+        countLayers(scene, volume, way_ == VolumeWay::rays ? 1 : kMostBands, layers_);
+    if (!takesRays()) cutLayers(scene, volume, slicer, isJoined() ? planes_ : layers_);
     if (layers_.layers.empty()) return;
-    texts_ = volumeProgram(volume, opaqueDepths != nullptr);
+    leaps_ = way_ == VolumeWay::rays && findClearBlocks();
+    texts_ = volumeProgram(volume, {way_, leaps_});
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
-    if (isProjected(volume))
+    if (takesRays())
         arrays_.sendPictureTriangle();
     else
         sendSlices();
 }
 
+bool DrawnVolume::findClearBlocks()
+{
+    if (volume_->voxels->components != 1) return false;
+    const ClearBlocks clear = clearBlocksOf(*volume_, resources_.textures.blocks(*volume_->voxels));
+    if (clear.empty()) return false;
+    const VoxelSize size{clear.count().x, clear.count().y, clear.count().z};
+    std::vector<std::byte> texels(size.count());
+    std::memcpy(texels.data(), clear.distances().data(), texels.size());
+    replaceTexels(clearBlocks_, TexelKind::uint8, size, std::move(texels));
+    return true;
+}
+
 void DrawnVolume::sendSlices()
 {
-    const int values = layers_.valuesPerRecord;
-    arrays_.send(layers_.stack.records.data(), layers_.stack.records.size());
+    const VolumeLayers& cut = isJoined() ? planes_ : layers_;
+    const int values = cut.valuesPerRecord;
+    arrays_.send(cut.stack.records.data(), cut.stack.records.size());
     arrays_.attribute(kSliceVoxel, 3, values - 3, values);
     if (volume_->tetras)
         for (GLuint column = 0; column < 4; ++column)
             arrays_.attribute(kSlicePlace + column, 3, static_cast<int>(3 * column), values);
-    arrays_.sendIndices(layers_.stack.indices.data(), layers_.stack.indices.size());
+    arrays_.sendIndices(cut.stack.indices.data(), cut.stack.indices.size());
 }
 
-void DrawnVolume::bindTextures()
+void DrawnVolume::bindTextures(const TranslucentTarget& target)
 {
     const auto& textures = texts_.chains.textures();
-    const int units =
-        1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) + (opaqueDepths_ ? 1 : 0);
+    const int units = 1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) +
+                      (takesRays() ? 1 : 0) + (leaps_ ? 1 : 0);
     if (units > resources_.context.mostUnits)
         throw std::runtime_error("a volume reads " + std::to_string(units) + " textures, this driver takes " +
                                  std::to_string(resources_.context.mostUnits));
@@ -95,9 +125,13 @@ void DrawnVolume::bindTextures()
         resources_.textures.bind(unit, *texture.texture);
         program_->set(texture.name, unit++);
     }
-    if (opaqueDepths_) {
-        opaqueDepths_->bind(unit);
-        program_->set("opaqueDepths", unit++);
+    if (takesRays()) {
+        target.bindDepths(unit);
+        program_->set("windowDepths", unit++);
+    }
+    if (leaps_) {
+        resources_.textures.bind(unit, clearBlocks_);
+        program_->set("clearBlocks", unit++);
     }
     if (volume_->segments) bindSegments(*volume_->segments, unit);
 }
@@ -129,18 +163,45 @@ void DrawnVolume::setView(SceneProgram& program) const
     program.set("spacing", static_cast<float>(volume_->spacing));
     program.set("unitLength", static_cast<float>(volume_->unitLength));
     program.set("shortestEdge", std::min({edges.x, edges.y, edges.z}));
-    if (isProjected(*volume_)) setRays(program);
+    if (takesRays()) setRays(program);
     std::vector<glm::vec4> planes;
     for (const glm::dvec4& plane : volume_->clipPlanes)
         planes.emplace_back(plane * worldFromLocal);
     program.set("clipPlanes", std::span<const glm::vec4>(planes));
 }
 
-void DrawnVolume::use()
+void DrawnVolume::drawApart(const TranslucentTarget& target)
+{
+    if (!isJoined() || layers_.layers.empty()) return;
+    if (!joiner_) joiner_ = std::make_unique<PlaneJoiner>(resources_);
+    const std::vector<SliceLayer>& cut = planes_.layers;
+    const auto fromNearest = [&cut](std::size_t i) -> const SliceLayer& { return cut[cut.size() - 1 - i]; };
+    joiner_->join(*volume_->projection,
+                  {scene_->width, scene_->height, target.depths(), cut.size(),
+                   [&](std::size_t i) { return planeOf(fromNearest(i), *volume_); },
+                   [&] { useProgram(target); },
+                   [&](std::size_t i) { drawSlice(fromNearest(i).first, fromNearest(i).count); }});
+}
+
+void DrawnVolume::use(const TranslucentTarget& target)
+{
+    if (takesRays() || isJoined())
+        target.bindWithoutDepths();
+    else
+        target.bindWithDepths();
+    const GladGLContext& gl = resources_.context.gl;
+    if (way_ == VolumeWay::slices)
+        gl.Enable(GL_DEPTH_TEST);
+    else
+        gl.Disable(GL_DEPTH_TEST);
+    if (!isJoined()) useProgram(target);
+}
+
+void DrawnVolume::useProgram(const TranslucentTarget& target)
 {
     program_->use();
     arrays_.bind();
-    bindTextures();
+    bindTextures(target);
     setView(*program_);
     program_->set(volume_->surroundings.lights);
     for (const GlslChain::Uniform& uniform : texts_.chains.uniforms())
@@ -153,27 +214,35 @@ void DrawnVolume::use()
 void DrawnVolume::setRays(SceneProgram& program) const
 {
     const glm::dmat4 localFromEye = glm::inverse(scene_->eyeFromWorld * volume_->worldFromLocal);
-    const EyeRays rays = eyeRays(scene_->clipFromEye);
-    glm::dmat3 origins = glm::dmat3(localFromEye) * rays.origin;
+    const glm::dmat4& clip = scene_->clipFromEye;
+    const double base = layers_.middlePlane * volume_->spacing;
+    const EyeRays rays = eyeRays(clip);
+    glm::dmat3 origins = glm::dmat3(localFromEye) * (rays.origin + base * rays.direction);
     origins[0] += glm::dvec3(localFromEye[3]);
     program.set("rayOrigins", glm::mat3(origins));
     program.set("rayDirections", glm::mat3(glm::dmat3(localFromEye) * rays.direction));
-    const DepthsSeen seen = depthsSeen(scene_->clipFromEye);
-    program.set("depthsSeen", glm::vec2(seen.nearest, std::min(seen.farthest, 1e30)));
-    program.set("intensityThreshold", volume_->projection->intensityThreshold);
+    const DepthsSeen seen = depthsSeen(clip);
+    program.set("depthsSeen", glm::vec2(seen.nearest - base, std::min(seen.farthest - base, 1e30)));
+    program.set("depthBase", static_cast<float>(base));
+    program.set("depthsInWindow", glm::vec4(clip[2][2], clip[2][3], clip[3][2], clip[3][3]));
+    if (volume_->projection) program.set("intensityThreshold", volume_->projection->intensityThreshold);
 }
 
-void DrawnVolume::draw(std::size_t first, std::size_t count) const
+void DrawnVolume::drawSlice(std::size_t first, std::size_t count) const
 {
-    const GladGLContext& gl = resources_.context.gl;
-    if (!isProjected(*volume_)) {
-        gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
-        return;
-    }
+    resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                                       reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+void DrawnVolume::draw(std::size_t first, std::size_t count)
+{
+    if (way_ == VolumeWay::slices) return drawSlice(first, count);
     const double last = layers_.lastPlane - static_cast<double>(first);
-    program_->set("band", glm::vec2(last - static_cast<double>(count) + 0.5, last + 0.5));
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    const double nearest = last - static_cast<double>(count) + 0.5;
+    if (isJoined()) return joiner_->draw(*volume_->projection, nearest, last + 0.5);
+    const double middle = layers_.middlePlane;
+    program_->set("band", glm::vec2(nearest - middle, last + 0.5 - middle));
+    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 } // namespace vo

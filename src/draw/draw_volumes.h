@@ -1,7 +1,8 @@
 #pragma once
 
-#include "draw/opaque_depths.h"
+#include "draw/join_planes.h"
 #include "draw/scene_resources.h"
+#include "draw/translucent_target.h"
 #include "draw/volume_layers.h"
 #include "draw/volume_programs.h"
 #include "style/styled_scene.h"
@@ -19,31 +20,40 @@ class DrawnVolume
 public:
     explicit DrawnVolume(SceneResources& resources);
 
-    /// Borrows all but the slicer until it is drawn. `opaqueDepths`: where rays of a projection end, if
-    /// anywhere.
-    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
-                 const OpaqueDepths* opaqueDepths);
+    /// Borrows all but the slicer until it is drawn. `alone`: nothing else is seen between parts of it.
+    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer, bool alone);
     const std::vector<SliceLayer>& layers() const { return layers_.layers; }
-    /// Makes its program, textures and arrays those that draw() uses.
-    void use();
-    void draw(std::size_t first, std::size_t count) const;
+    /// Before anything is drawn into the target: what has one of its own.
+    void drawApart(const TranslucentTarget& target);
+    /// Makes its program, textures and arrays, and the target with the depths or without, those that draw()
+    /// uses.
+    void use(const TranslucentTarget& target);
+    void draw(std::size_t first, std::size_t count);
 
 private:
+    bool isJoined() const { return way_ == VolumeWay::planeSamples; }
+    bool takesRays() const { return way_ == VolumeWay::rays || way_ == VolumeWay::projectedRays; }
+    bool findClearBlocks();
     void sendSlices();
-    void bindTextures();
+    void useProgram(const TranslucentTarget& target);
+    void bindTextures(const TranslucentTarget& target);
     void bindSegments(const Segments& segments, int unit);
     void setView(SceneProgram& program) const;
     void setRays(SceneProgram& program) const;
+    void drawSlice(std::size_t first, std::size_t count) const;
 
     SceneResources& resources_;
     SceneArrays arrays_;
     VolumeLayers layers_;
     VolumeProgram texts_;
     SceneProgram* program_ = nullptr;
-    VoxelTexture chainTable_;
+    VolumeWay way_ = VolumeWay::slices;
+    VolumeLayers planes_; ///< of samples that are joined
+    std::unique_ptr<PlaneJoiner> joiner_;
+    VoxelTexture chainTable_, clearBlocks_;
+    bool leaps_ = false;
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;
-    const OpaqueDepths* opaqueDepths_ = nullptr;
 };
 
 /// Whether there is anything of it to draw.

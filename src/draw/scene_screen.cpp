@@ -1,6 +1,7 @@
 #include "draw/scene_screen.h"
 
 #include "core/environment.h"
+#include "draw/blend_texture.h"
 #include "draw/draw_scene.h"
 #include "draw/scene_programs.h"
 #include "draw/scene_state.h"
@@ -10,27 +11,6 @@
 #include <stdexcept>
 
 namespace vo {
-
-namespace {
-
-/// One triangle over all of the viewport.
-constexpr const char* kVertexShader = R"(#version 330 core
-void main()
-{
-    gl_Position = vec4((gl_VertexID & 1) * 4 - 1, (gl_VertexID & 2) * 2 - 1, 0.0, 1.0);
-}
-)";
-
-constexpr const char* kFragmentShader = R"(#version 330 core
-uniform sampler2D picture;
-out vec4 color;
-void main()
-{
-    color = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
-}
-)";
-
-} // namespace
 
 struct SceneScreen::Private
 {
@@ -82,16 +62,10 @@ void SceneScreen::show(const ScenePicture& picture)
     gl.ActiveTexture(GL_TEXTURE0);
     const ScopedTextureBindings bindings(gl);
     own.send(picture);
-    SceneProgram& program = own.programs.find(kVertexShader, kFragmentShader);
-    program.use();
-    program.set("picture", 0);
     if (own.vertexArray == 0) gl.GenVertexArrays(1, &own.vertexArray);
     gl.BindVertexArray(own.vertexArray);
     gl.Viewport(0, 0, picture.width, picture.height);
-    gl.Enable(GL_BLEND);
-    gl.BlendEquation(GL_FUNC_ADD);
-    gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    blendTexture(own.context, own.programs);
 }
 
 bool SceneScreen::prefersCasting()

@@ -6,12 +6,27 @@ namespace {
 
 /// Switched off for the scene, or switched by it.
 constexpr GLenum kCapabilities[] = {
-    GL_BLEND,          GL_DEPTH_TEST,          GL_CULL_FACE,
-    GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_POLYGON_SMOOTH,
-    GL_DEPTH_CLAMP,    GL_PRIMITIVE_RESTART,   GL_RASTERIZER_DISCARD,
-    GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1,      GL_CLIP_DISTANCE2,
-    GL_CLIP_DISTANCE3, GL_CLIP_DISTANCE4,      GL_CLIP_DISTANCE5,
-    GL_CLIP_DISTANCE6, GL_CLIP_DISTANCE7,      GL_PROGRAM_POINT_SIZE,
+    GL_BLEND,
+    GL_DEPTH_TEST,
+    GL_CULL_FACE,
+    GL_COLOR_LOGIC_OP,
+    GL_POLYGON_OFFSET_FILL,
+    GL_POLYGON_SMOOTH,
+    GL_DEPTH_CLAMP,
+    GL_PRIMITIVE_RESTART,
+    GL_RASTERIZER_DISCARD,
+    GL_CLIP_DISTANCE0,
+    GL_CLIP_DISTANCE1,
+    GL_CLIP_DISTANCE2,
+    GL_CLIP_DISTANCE3,
+    GL_CLIP_DISTANCE4,
+    GL_CLIP_DISTANCE5,
+    GL_CLIP_DISTANCE6,
+    GL_CLIP_DISTANCE7,
+    GL_PROGRAM_POINT_SIZE,
+    GL_SAMPLE_ALPHA_TO_COVERAGE,
+    GL_SAMPLE_ALPHA_TO_ONE,
+    GL_SAMPLE_COVERAGE,
 };
 /// Of compatibility contexts alone.
 constexpr GLenum kLegacyCapabilities[] = {GL_ALPHA_TEST, GL_POLYGON_STIPPLE, GL_POINT_SMOOTH,
@@ -61,6 +76,7 @@ void ScopedSceneState::saveUnits()
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
         gl_.GetIntegerv(GL_TEXTURE_BINDING_3D, &units_[unit].texture3d);
         gl_.GetIntegerv(GL_TEXTURE_BINDING_2D, &units_[unit].texture2d);
+        gl_.GetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &units_[unit].texture2dArray);
         gl_.GetIntegerv(GL_SAMPLER_BINDING, &units_[unit].sampler);
         gl_.BindSampler(unit, 0);
     }
@@ -72,6 +88,7 @@ void ScopedSceneState::restoreUnits() const
         gl_.ActiveTexture(GL_TEXTURE0 + unit);
         gl_.BindTexture(GL_TEXTURE_3D, static_cast<GLuint>(units_[unit].texture3d));
         gl_.BindTexture(GL_TEXTURE_2D, static_cast<GLuint>(units_[unit].texture2d));
+        gl_.BindTexture(GL_TEXTURE_2D_ARRAY, static_cast<GLuint>(units_[unit].texture2dArray));
         gl_.BindSampler(unit, static_cast<GLuint>(units_[unit].sampler));
     }
     gl_.ActiveTexture(static_cast<GLenum>(activeTexture_));

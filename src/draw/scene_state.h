@@ -20,7 +20,7 @@ public:
 private:
     struct Unit
     {
-        GLint texture3d = 0, texture2d = 0, sampler = 0;
+        GLint texture3d = 0, texture2d = 0, texture2dArray = 0, sampler = 0;
     };
     struct Capability
     {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -147,6 +148,21 @@ void StyleTextures::bind(int unit, const VoxelTexture& texture)
         resident_.erase(texture.serial);
         throw;
     }
+}
+
+const VoxelBlocks& StyleTextures::blocks(const VoxelTexture& texture)
+{
+    Resident& resident = resident_[texture.serial];
+    resident.lastPicture = picture_;
+    if (resident.blocks) return *resident.blocks;
+    auto blocks = std::make_unique<VoxelBlocks>();
+    try {
+        if (isUsable(texture)) *blocks = PaddedVoxels(texture, 0).blocks();
+    } catch (const std::bad_alloc&) {
+        // Nothing is leapt over then.
+    }
+    resident.blocks = std::move(blocks);
+    return *resident.blocks;
 }
 
 void StyleTextures::endPicture()

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "cast/padded_voxels.h"
 #include "draw/scene_context.h"
 #include "style/voxel_texture.h"
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 
 namespace vo {
@@ -21,6 +23,9 @@ public:
     /// Binds it to a unit, and sends it first if need be. Throws std::runtime_error if the driver cannot hold
     /// it.
     void bind(int unit, const VoxelTexture& texture);
+    /// What values the blocks of a texture of one component have; without blocks where that is not known.
+    /// Found when it is asked for first.
+    const VoxelBlocks& blocks(const VoxelTexture& texture);
     /// To be called once a picture: forgets those that many pictures had no use for.
     void endPicture();
 
@@ -29,6 +34,7 @@ private:
     {
         GLuint name = 0;
         std::uint64_t lastPicture = 0;
+        std::unique_ptr<const VoxelBlocks> blocks;
     };
 
     void send(const VoxelTexture& texture) const;

@@ -53,7 +53,7 @@ constexpr const char* kFragmentShader = R"(
 in vec3 world;
 in vec3 worldNormal;
 in vec4 colorGiven;
-uniform vec4 viewer, worldDepthRow;
+uniform vec4 viewer;
 uniform bool mirrored, solid, lit;
 uniform vec3 diffuse, emissive, specular;
 uniform float ambientIntensity, exponent, opacity;
@@ -100,10 +100,6 @@ void main()
 #endif
     bool outside = gl_FrontFacing != mirrored;
     if (solid && !outside) discard;
-#ifdef DEPTH
-    fragment = vec4(dot(worldDepthRow, vec4(world, 1.0)));
-    return;
-#endif
     vec3 V = viewer.w > 0.0 ? normalize(viewer.xyz - world) : -normalize(viewer.xyz);
     vec3 n = outside ? worldNormal : -worldNormal;
     if (n == vec3(0.0)) n = dot(faceNormal, V) < 0.0 ? -faceNormal : faceNormal;
@@ -145,7 +141,6 @@ void setView(const StyledScene& scene, const StyledSurface& surface, SceneProgra
     program.set("worldFromLocal", glm::mat4(worldFromLocal));
     program.set("worldNormals", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(worldFromLocal)))));
     program.set("viewer", glm::vec4(viewerIn(scene, glm::dmat4(1.0))));
-    program.set("worldDepthRow", glm::vec4(depthRowOf(scene, glm::dmat4(1.0))));
     program.set("depthRow", glm::vec4(depthRowOf(scene, worldFromLocal)));
     program.set("pictureSize", glm::vec2(scene.width, scene.height));
     const EyeRays rays = eyeRays(scene.clipFromEye);
@@ -155,13 +150,12 @@ void setView(const StyledScene& scene, const StyledSurface& surface, SceneProgra
 
 } // namespace
 
-SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfaceLook look,
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,
                                 ScenePrograms& programs)
 {
     std::string definitions = "#version 330 core\n";
-    if (look == SurfaceLook::slab) definitions += "#define SLICED\n";
+    if (part == SurfacePart::slab) definitions += "#define SLICED\n";
     const std::string vertexText = definitions + kVertexShader;
-    if (look == SurfaceLook::depth) definitions += "#define DEPTH\n";
     if (!surface.colors.empty()) definitions += "#define COLORS\n";
     SceneProgram& program =
         programs.find(vertexText, definitions + lightDeclarations(surface.lights.size()) +

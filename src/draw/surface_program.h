@@ -18,12 +18,12 @@ enum SurfaceAttribute : unsigned {
     kSurfaceDepths = 4
 };
 
-/// What becomes of a surface: its colour, the part of it that lies between two depths (uniform `slab`: the
-/// nearest, and the farthest, which belongs to what is behind; no pixel twice), or its eye depth as red.
-enum class SurfaceLook { color, slab, depth };
+/// What of a surface is drawn: all, or the part of it that lies between two depths (uniform `slab`: the
+/// nearest, and the farthest, which belongs to what is behind; no pixel twice).
+enum class SurfacePart { whole, slab };
 
 /// A surface's program, in use and with all that it knows of the scene.
-SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfaceLook look,
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,
                                 ScenePrograms& programs);
 
 } // namespace vo

@@ -16,8 +16,6 @@ namespace vo {
 namespace {
 
 constexpr double kMostPlanes = 1 << 20;
-/// Into which rays of a projection are divided by their first sample, where other things are in between.
-constexpr std::size_t kMostBands = 64;
 constexpr int kTetraValues = 15; ///< place, placeFromLocal, position
 
 glm::dvec3 sizeOf(const StyledVolume& volume)
@@ -140,19 +138,25 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume)
     return glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * glm::dvec3(volume.dimensions)), edge);
 }
 
-void countLayers(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers)
+void countLayers(const StyledScene& scene, const StyledVolume& volume, std::size_t most, VolumeLayers& layers)
 {
     layers.layers.clear();
     const Body body = bodyOf(volume);
     const PlaneRange planes = planesOf(scene, volume, body);
     layers.lastPlane = planes.last;
-    const std::size_t count = planes.count(), wide = (count + kMostBands - 1) / kMostBands;
+    layers.middlePlane = std::round(0.5 * (planes.first + planes.last));
+    const std::size_t count = planes.count(), wide = (count + most - 1) / most;
     for (std::size_t first = 0; first < count; first += wide) {
         const std::size_t inBand = std::min(wide, count - first);
         const double middle =
             planes.last - static_cast<double>(first) - 0.5 * static_cast<double>(inBand - 1);
         layers.layers.push_back({sampleDepth(volume.spacing, middle), first, inBand});
     }
+}
+
+double planeOf(const SliceLayer& layer, const StyledVolume& volume)
+{
+    return std::round(layer.depth / volume.spacing - 0.5);
 }
 
 void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,

@@ -26,6 +26,7 @@ struct VolumeLayers
     PolygonStack stack;
     std::vector<SliceLayer> layers; ///< from the farthest
     double lastPlane = 0.0;         ///< the farthest, as sampleDepth() counts them
+    double middlePlane = 0.0;
     int valuesPerRecord = 3;
 };
 
@@ -36,7 +37,10 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume);
 /// are too many.
 void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
                VolumeLayers& layers);
-/// Layers of a projection, which has no polygons.
-void countLayers(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers);
+/// Layers of what is drawn ray by ray and has no polygons, at most so many.
+void countLayers(const StyledScene& scene, const StyledVolume& volume, std::size_t most,
+                 VolumeLayers& layers);
+/// The plane of a layer that cutLayers() made, as sampleDepth() counts them.
+double planeOf(const SliceLayer& layer, const StyledVolume& volume);
 
 } // namespace vo

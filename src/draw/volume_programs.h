@@ -21,8 +21,18 @@ struct VolumeProgram
 /// Whether all samples of a ray become one colour.
 bool isProjected(const StyledVolume& volume);
 
-/// What draws slices: samples, or surfaces between them and the next slice behind. That of a projection draws
-/// a whole picture, corners of which are attribute 0; `opaqueDepths`: a texture says where rays end.
-VolumeProgram volumeProgram(const StyledVolume& volume, bool opaqueDepths);
+/// How a volume is drawn: slice by slice, as samples or as surfaces between a slice and the next one behind;
+/// the same ray by ray, all of a pixel at once; a projection, ray by ray; or the samples of single slices,
+/// from which a projection is made later. Rays are for boxes. They draw triangles over the picture, corners
+/// of which are attribute 0.
+enum class VolumeWay { slices, rays, projectedRays, planeSamples };
+
+struct ProgramRequest
+{
+    VolumeWay way = VolumeWay::slices;
+    bool leaps = false; ///< of rays: over blocks that are clear
+};
+
+VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& request);
 
 } // namespace vo

@@ -1,0 +1,459 @@
+#include "draw/volume_shaders.h"
+
+namespace vo {
+
+const char* const kSliceVertexShader = R"(
+layout(location = 0) in vec3 voxel;
+uniform mat4 clipFromVoxel;
+uniform vec3 voxelCount, dimensions;
+out vec3 position;
+out vec3 place;
+#ifdef OWN_PLACES
+layout(location = 1) in vec3 placeGiven;
+layout(location = 2) in mat3 placeFromLocalGiven;
+out mat3 placeFromLocal;
+#endif
+
+void main()
+{
+    gl_Position = clipFromVoxel * vec4(voxel, 1.0);
+    position = (voxel / voxelCount - 0.5) * dimensions;
+#ifdef OWN_PLACES
+    place = placeGiven;
+    placeFromLocal = placeFromLocalGiven;
+#else
+    place = voxel / voxelCount;
+#endif
+}
+)";
+
+// What styles may use (style/glsl_chain.h), beside the lights.
+const char* const kStylePreamble = R"(
+struct StyleSample {
+    vec4 voxel;
+    vec3 place, position, V, n;
+    float gradient;
+};
+vec4 styleTexture(sampler3D map, vec3 place)
+{
+    return textureLod(map, place, 0.0);
+}
+)";
+
+const char* const kSampleFunctions = R"(
+#ifndef WHOLE_RAYS
+in vec3 position;
+in vec3 place;
+#endif
+uniform sampler3D voxels;
+uniform vec3 voxelCount, dimensions;
+uniform vec4 viewer, depthRow;
+uniform float spacing, unitLength, shortestEdge;
+layout(location = 0) out vec4 fragment;
+#ifdef OWN_PLACES
+in mat3 placeFromLocal;
+#else
+mat3 placeFromLocal = mat3(1.0 / dimensions.x, 0.0, 0.0, 0.0, 1.0 / dimensions.y, 0.0, 0.0, 0.0, 1.0 / dimensions.z);
+#endif
+
+float valueAt(vec3 at)
+{
+    vec4 voxel = textureLod(voxels, at, 0.0);
+#if COMPONENTS < 3
+    return voxel.r;
+#else
+    return (voxel.r + voxel.g + voxel.b) / 3.0;
+#endif
+}
+
+// The change of the value over the shortest edge of a voxel, local.
+vec3 slopeAt(vec3 at)
+{
+    vec3 d = 1.0 / voxelCount;
+    vec3 change = vec3(valueAt(at + vec3(d.x, 0.0, 0.0)) - valueAt(at - vec3(d.x, 0.0, 0.0)),
+                       valueAt(at + vec3(0.0, d.y, 0.0)) - valueAt(at - vec3(0.0, d.y, 0.0)),
+                       valueAt(at + vec3(0.0, 0.0, d.z)) - valueAt(at - vec3(0.0, 0.0, d.z)));
+    return 0.5 * shortestEdge * ((voxelCount * change) * placeFromLocal);
+}
+
+StyleSample sampleWithoutNormal(vec3 at, vec3 local)
+{
+    StyleSample s;
+    s.voxel = textureLod(voxels, at, 0.0);
+    s.place = at;
+    s.position = local;
+    s.V = viewer.w > 0.0 ? normalize(viewer.xyz - local) : -normalize(viewer.xyz);
+    s.n = vec3(0.0);
+    s.gradient = 0.0;
+    return s;
+}
+
+void setNormal(inout StyleSample s)
+{
+#ifdef NEEDS_NORMAL
+    vec3 slope = slopeAt(s.place);
+    s.gradient = length(slope);
+    if (s.gradient >= 1e-6) s.n = -slope / s.gradient;
+#endif
+}
+
+StyleSample sampleAt(vec3 at, vec3 local)
+{
+    StyleSample s = sampleWithoutNormal(at, local);
+    setNormal(s);
+    return s;
+}
+
+// The way to the next plane behind, along the ray.
+vec3 stepFrom(vec3 local)
+{
+    if (viewer.w <= 0.0) return spacing * viewer.xyz;
+    return (spacing / dot(depthRow, vec4(local, 1.0))) * (local - viewer.xyz);
+}
+)";
+
+// Discarding early saves time even where both sides of a branch are run.
+const char* const kSamplesMain = R"(
+void main()
+{
+    if (isClipped(vec4(position, 1.0))) discard;
+    int chain = chainAt(place);
+    if (chain < 0) discard;
+    StyleSample s = sampleWithoutNormal(place, position);
+    vec4 color = withoutNormals(chain, firstColor(s.voxel), s);
+#ifdef KEEPS_CLEAR
+    if (color.a <= 0.0) discard;
+#endif
+    setNormal(s);
+    color = withNormals(chain, color, s);
+    float units = length(stepFrom(position)) / unitLength;
+    float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
+    fragment = vec4(alpha * color.rgb, alpha);
+}
+)";
+
+const char* const kSurfaceFunctions = R"(
+uniform float surfaceValues[SURFACES];
+uniform float surfaceTolerance;
+
+// Behind what is in the fragment already. False: there is none.
+bool addSurface(int number, vec3 at, vec3 local)
+{
+    StyleSample s = sampleAt(at, local);
+    if (s.gradient < surfaceTolerance) return false;
+    s.n = SURFACE_NORMAL;
+    vec4 color = chainOf(min(number, CHAINS - 1), firstColor(s.voxel), s);
+    float alpha = clamp(color.a, 0.0, 1.0);
+    fragment += (1.0 - fragment.a) * vec4(alpha * color.rgb, alpha);
+    return true;
+}
+)";
+
+const char* const kSurfacesMain = R"(
+uniform mat4 clipFromLocal;
+
+void main()
+{
+    vec3 way = stepFrom(position), placeWay = placeFromLocal * way;
+    vec3 next = place + placeWay;
+    if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
+    if (isClipped(vec4(position, 1.0)) || isClipped(vec4(position + way, 1.0))) discard;
+    float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
+    bool crosses = false;
+    for (int i = 0; i < SURFACES; ++i)
+        crosses = crosses || (here < surfaceValues[i]) != (there < surfaceValues[i]);
+    if (!crosses) discard;
+    fragment = vec4(0.0);
+    float nearest = 1.0;
+    for (int i = 0; i < SURFACES; ++i) {
+        int number = here < there ? i : SURFACES - 1 - i;
+        float value = surfaceValues[number];
+        if ((here < value) == (there < value)) continue;
+        float part = (value - here) / (there - here);
+        bool isFirst = fragment.a == 0.0;
+        vec3 local = position + part * way;
+        if (isClipped(vec4(local, 1.0)) || !addSurface(number, place + part * placeWay, local)) continue;
+        if (isFirst) nearest = part;
+    }
+    if (fragment.a == 0.0) discard;
+    vec4 clip = clipFromLocal * vec4(position + nearest * way, 1.0);
+    gl_FragDepth = 0.5 * (gl_DepthRange.diff * clip.z / clip.w + gl_DepthRange.near + gl_DepthRange.far);
+}
+)";
+
+const char* const kPictureVertexShader = R"(
+layout(location = 0) in vec2 corner;
+out vec2 device;
+void main()
+{
+    device = corner;
+    gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+// The ray of a pixel. Depths and planes are counted from `depthBase`, near the volume, where numbers are
+// small and exact; planes lie at (k + 1/2) * spacing.
+const char* const kRayFunctions = R"(
+in vec2 device;
+uniform mat3 rayOrigins, rayDirections;
+uniform vec2 depthsSeen;
+uniform float depthBase;
+uniform vec4 depthsInWindow;
+uniform sampler2D windowDepths;
+
+// Where the ray meets what is opaque.
+float opaqueDepth()
+{
+    float there = texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r;
+    float z = (2.0 * there - gl_DepthRange.near - gl_DepthRange.far) / gl_DepthRange.diff;
+    if (z >= 1.0) return 1e30;
+    return (depthsInWindow.z - z * depthsInWindow.w) / (depthsInWindow.x - z * depthsInWindow.y) - depthBase;
+}
+
+// Keeps of a range the part where value + slope * depth is not negative.
+void cut(inout vec2 range, float value, float slope)
+{
+    if (slope > 0.0)
+        range.x = max(range.x, -value / slope);
+    else if (slope < 0.0)
+        range.y = min(range.y, -value / slope);
+    else if (value < 0.0)
+        range.y = -1e30;
+}
+
+// The first and the last plane in the volume.
+vec2 planesOn(vec3 origin, vec3 way)
+{
+    vec2 range = depthsSeen;
+    for (int axis = 0; axis < 3; ++axis) {
+        cut(range, origin[axis] / dimensions[axis] + 0.5, way[axis] / dimensions[axis]);
+        cut(range, 0.5 - origin[axis] / dimensions[axis], -way[axis] / dimensions[axis]);
+    }
+#if CLIP_PLANES > 0
+    for (int i = 0; i < CLIP_PLANES; ++i)
+        cut(range, dot(clipPlanes[i], vec4(origin, 1.0)), dot(clipPlanes[i].xyz, way));
+#endif
+    return vec2(ceil(range.x / spacing - 0.5), floor(range.y / spacing - 0.5));
+}
+
+float lastBefore(float depth)
+{
+    return floor(min(depth, 1e30) / spacing - 0.5);
+}
+)";
+
+// Blocks of voxels in which nothing is seen are leapt over: `clearBlocks` says how many blocks it is at least
+// to the next one that is not. A place in cells, and how far in it.
+const char* const kLeapFunctions = R"(
+#ifdef LEAPS
+uniform sampler3D clearBlocks;
+
+float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
+{
+    vec3 side = sign(cellStep), perCell = 1.0 / mix(cellStep, vec3(1e-9), lessThan(abs(cellStep), vec3(1e-9)));
+    while (k < last) {
+        vec3 here = cell + k * cellStep;
+        ivec3 block = ivec3(here) >> BLOCK_SHIFT;
+        float blocks = floor(255.0 * texelFetch(clearBlocks, block, 0).r + 0.5);
+        if (blocks < 0.5) break;
+        vec3 end = (vec3(block) + max(side, 0.0) + side * (blocks - 1.0)) * float(1 << BLOCK_SHIFT);
+        vec3 steps = mix((end - here) * perCell, vec3(1e9), lessThan(abs(cellStep), vec3(1e-9)));
+        float over = floor(0.9999 * min(steps.x, min(steps.y, steps.z)));
+        if (over < 1.0) break;
+        k = min(k + over, last);
+    }
+    return k;
+}
+#else
+float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
+{
+    return k;
+}
+#endif
+)";
+
+// Samples are taken front to back until nothing more shows through. Searching for the next one that is seen
+// is a loop of its own: pixels that are drawn together wait for each other there, and are then shaded
+// together.
+const char* const kMarchedSamplesMain = R"(
+const float kOpaque = 1.0 - 1.0 / 4096.0;
+const float kSamplesAtOnce = 8.0;
+
+void main()
+{
+    vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
+    vec2 planes = planesOn(origin, way);
+    float last = min(planes.y, lastBefore(opaqueDepth()));
+    if (planes.x > last) discard;
+    float units = length(way) * spacing / unitLength;
+    vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
+    vec3 step = localStep / dimensions, begin = local / dimensions + 0.5;
+    vec3 cellStep = step * voxelCount, cell = begin * voxelCount + CELL_SHIFT;
+    StyleSample s = sampleWithoutNormal(vec3(0.0), local);
+    s.V = -normalize(way);
+    fragment = vec4(0.0);
+    vec4 color = vec4(0.0);
+    int chain = 0;
+    float k = planes.x;
+    while (k <= last && fragment.a < kOpaque) {
+        k = leapFrom(k, last, cell, cellStep);
+        float until = min(k + kSamplesAtOnce, last + 1.0);
+        bool seen = false;
+        while (k < until) {
+            s.place = begin + k * step;
+            s.position = local + k * localStep;
+            s.voxel = textureLod(voxels, s.place, 0.0);
+            chain = chainAt(s.place);
+            color = chain < 0 ? vec4(0.0) : withoutNormals(chain, firstColor(s.voxel), s);
+#ifdef KEEPS_CLEAR
+            seen = color.a > 0.0;
+#else
+            seen = chain >= 0;
+#endif
+            k += 1.0;
+            if (seen) break;
+        }
+        if (seen) {
+            s.n = vec3(0.0);
+            s.gradient = 0.0;
+            setNormal(s);
+            color = withNormals(chain, color, s);
+            float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
+            fragment += (1.0 - fragment.a) * vec4(alpha * color.rgb, alpha);
+        }
+    }
+    if (fragment.a <= 0.0) discard;
+}
+)";
+
+const char* const kMarchedSurfacesMain = R"(
+const float kOpaque = 1.0 - 1.0 / 4096.0;
+const float kSamplesAtOnce = 8.0;
+
+bool crossedBetween(float here, float there)
+{
+    for (int i = 0; i < SURFACES; ++i)
+        if ((here < surfaceValues[i]) != (there < surfaceValues[i])) return true;
+    return false;
+}
+
+void main()
+{
+    vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
+    vec2 planes = planesOn(origin, way);
+    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
+    if (planes.x >= last) discard;
+    vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
+    vec3 step = localStep / dimensions, begin = local / dimensions + 0.5;
+    vec3 cellStep = step * voxelCount, cell = begin * voxelCount + CELL_SHIFT;
+    fragment = vec4(0.0);
+    float k = planes.x;
+    while (k < last && fragment.a < kOpaque) {
+        k = leapFrom(k, last, cell, cellStep);
+        float until = min(k + kSamplesAtOnce, last);
+        float here = 0.0, there = textureLod(voxels, begin + k * step, 0.0).r;
+        bool crosses = false;
+        while (k < until) {
+            here = there;
+            k += 1.0;
+            there = textureLod(voxels, begin + k * step, 0.0).r;
+            crosses = crossedBetween(here, there);
+            if (crosses) break;
+        }
+        if (!crosses) continue;
+        for (int i = 0; i < SURFACES; ++i) {
+            int number = here < there ? i : SURFACES - 1 - i;
+            float value = surfaceValues[number];
+            float at = k - 1.0 + (value - here) / (there - here);
+            if ((here < value) == (there < value) || (at + 0.5) * spacing >= opaque) continue;
+            addSurface(number, begin + at * step, local + at * localStep);
+        }
+    }
+    if (fragment.a <= 0.0) discard;
+}
+)";
+
+// The value and the opacity of each sample, which are joined later.
+const char* const kPlaneSamplesMain = R"(
+void main()
+{
+    int chain = chainAt(place);
+    if (chain < 0 || isClipped(vec4(position, 1.0))) discard;
+    StyleSample s = sampleAt(place, position);
+    vec4 color = chainOf(chain, firstColor(s.voxel), s);
+    fragment = vec4((color.r + color.g + color.b) / 3.0, opacityOf(chain, color, s), 0.0, 0.0);
+}
+)";
+
+// TYPE is 0 for the maximum, 1 for the minimum, 2 for the mean.
+const char* const kJoinFunctions = R"(
+uniform float intensityThreshold;
+const float kSide = TYPE == 1 ? -1.0 : 1.0;
+
+struct Joined {
+    float best, opacity;         // of all so far; the sum for the mean
+    float before, opacityBefore; // of the last one
+    float count, first;          // how many, and the plane of the first
+    bool found;                  // no further one counts
+};
+
+void join(inout Joined all, float value, float alpha, float plane)
+{
+    if (all.found) return;
+    if (all.count == 0.0) all.first = plane;
+#if TYPE == 2
+    all.best += value;
+    all.opacity += alpha;
+#else
+    value *= kSide;
+    all.found = intensityThreshold > 0.0 && all.count > 0.0 && all.before > kSide * intensityThreshold && value < all.before;
+    if (all.found) return;
+    if (all.count == 0.0 || value > all.best) {
+        all.best = value;
+        all.opacity = alpha;
+    }
+    all.before = value;
+    all.opacityBefore = alpha;
+#endif
+    all.count += 1.0;
+}
+
+vec4 colorOf(Joined all)
+{
+#if TYPE == 2
+    float value = all.best / all.count, alpha = all.opacity / all.count;
+#else
+    bool last = all.found || (intensityThreshold > 0.0 && all.before > kSide * intensityThreshold);
+    float value = kSide * (last ? all.before : all.best), alpha = last ? all.opacityBefore : all.opacity;
+#endif
+    alpha = clamp(alpha, 0.0, 1.0);
+    return vec4(vec3(alpha * value), alpha);
+}
+)";
+
+// Each pixel is drawn with the band that its first plane is in.
+const char* const kProjectionMain = R"(
+uniform vec2 band;
+
+void main()
+{
+    vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
+    vec2 planes = planesOn(origin, way);
+    float last = min(planes.y, lastBefore(opaqueDepth()));
+    if (planes.x > last || planes.x < band.x || planes.x > band.y) discard;
+    Joined all = Joined(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    for (float k = planes.x; k <= last && !all.found; k += 1.0) {
+        vec3 local = origin + ((k + 0.5) * spacing) * way;
+        vec3 at = local / dimensions + 0.5;
+        int chain = chainAt(at);
+        if (chain < 0) continue;
+        StyleSample s = sampleAt(at, local);
+        vec4 color = chainOf(chain, firstColor(s.voxel), s);
+        join(all, (color.r + color.g + color.b) / 3.0, opacityOf(chain, color, s), k);
+    }
+    if (all.count == 0.0) discard;
+    fragment = colorOf(all);
+}
+)";
+
+} // namespace vo
