@@ -328,6 +328,8 @@ TEST_P(SceneDrawing, clipPlanesCutVolumes)
     StyledScene scene = turnedScene({});
     scene.volumes[0].clipPlanes = {{1.0, 0.2, 0.1, 0.2}, {-0.3, 1.0, 0.0, 0.4}};
     compare(scene, "clip planes");
+    scene.surfaces = {pane({0, 0, 0}, 1.2, {1, 0, 0}, 1.0f)};
+    compare(scene, "clip planes");
 }
 
 // ---- Styles
@@ -371,11 +373,53 @@ std::map<std::string, StyleChain> chains()
             {"edge, then tone", {edge, toned}}};
 }
 
+/// The same picture, drawn by slices: something that is not seen may lie between parts of the volumes.
+StyledScene sliced(StyledScene scene)
+{
+    scene.surfaces.push_back(pane({0, 0, 0}, 1.2, {1, 0, 0}, 1.0f));
+    return scene;
+}
+
 TEST_P(SceneDrawing, everyStyleIsThatOfTheReference)
 {
     for (const auto& [name, chain] : chains())
-        for (const bool perspective : {false, true})
-            compare(turnedScene(chain, perspective), name + (perspective ? ", perspective" : ""));
+        for (const bool perspective : {false, true}) {
+            const std::string what = name + (perspective ? ", perspective" : "");
+            compare(turnedScene(chain, perspective), what);
+            compare(sliced(turnedScene(chain, perspective)), what);
+        }
+}
+
+/// Seen in a corner of a volume alone, so that most blocks of voxels are clear.
+TexturePointer cornerBall(bool nearest)
+{
+    auto texture = bytes({45, 40, 50}, 1, [](glm::dvec3 place, int) {
+        return glm::clamp(1.0 - 3.0 * glm::length(place - glm::dvec3(0.7, 0.65, 0.3)), 0.05, 1.0);
+    });
+    auto made = std::make_shared<VoxelTexture>(*texture);
+    made->nearest = nearest;
+    return made;
+}
+
+TEST_P(SceneDrawing, clearBlocksAreLeaptOverAndNothingElse)
+{
+    OpacityMap map;
+    map.transferFunction = bytes({64, 1, 1}, 4, [](glm::dvec3 place, int c) {
+        return c == 3 ? glm::clamp(place.x - 0.1, 0.0, 0.5) : place.x;
+    });
+    for (const bool turned : {false, true})
+        for (const bool nearest : {false, true}) {
+            StyledScene scene = turnedScene({styleWithReference(map)}, turned);
+            scene.volumes[0].voxels = cornerBall(nearest);
+            scene.volumes[0].spacing = 0.041;
+            if (!turned) scene.volumes[0].worldFromLocal = glm::dmat4(1.0);
+            const std::string what = std::to_string(turned) + std::to_string(nearest);
+            compare(scene, "clear blocks " + what);
+            IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
+            surfaces.values = {0.3f, 0.6f};
+            surfaces.chains = {{styleWithReference(OpacityMap{})}};
+            compare(scene, "surfaces and clear blocks " + what, nearest ? 40.0 : kAlike);
+        }
 }
 
 // ---- Volumes that are more than samples with a chain
@@ -396,6 +440,7 @@ TEST_P(SceneDrawing, segmentsHaveTheirChains)
     volume.chains.push_back({styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr})});
     volume.segments = Segments{quarters(), 1, 255.0f, {1, -1, 0}, 2};
     compare(scene, "segments");
+    compare(sliced(scene), "segments");
 }
 
 TEST_P(SceneDrawing, surfacesLieWhereValuesCross)
@@ -417,9 +462,11 @@ TEST_P(SceneDrawing, surfacesLieWhereValuesCross)
         surfaces.chains = {{clear, styleWithReference(shading)}, {clear, styleWithReference(other)}};
         surfaces.surfaceTolerance = 0.01f;
         scene.volumes[0].clipPlanes = {{1.0, 0.2, 0.1, 0.4}};
-        compare(scene, perspective ? "surfaces of values, perspective" : "surfaces of values", kEqual);
+        for (const StyledScene& drawn : {scene, sliced(scene)})
+            compare(drawn, perspective ? "surfaces of values, perspective" : "surfaces of values", kEqual);
         scene.surfaces = {sphere({0.2, 0.1, 0.1}, 0.5)};
-        compare(scene, perspective ? "surfaces and sphere, perspective" : "surfaces and sphere");
+        for (const StyledScene& drawn : {scene, sliced(scene)})
+            compare(drawn, perspective ? "surfaces and sphere, perspective" : "surfaces and sphere");
     }
     StyledScene scene = turnedScene({});
     IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
@@ -477,6 +524,33 @@ TEST_P(SceneDrawing, tetrahedraHavePlacesOfTheirOwn)
         scene.volumes[0].tetras = tetras();
         compare(scene, perspective ? "tetrahedra, perspective" : "tetrahedra");
     }
+}
+
+TEST_P(SceneDrawing, projectionsOfTetrahedraJoinWholeRays)
+{
+    const auto silhouette = styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr});
+    using Type = RayProjection::Type;
+    for (const Type type : {Type::max, Type::min, Type::average})
+        for (const float threshold : {0.0f, 0.35f}) {
+            StyledScene scene = turnedScene({silhouette}, threshold > 0.0f, threshold > 0.0f ? 4 : 1);
+            scene.volumes[0].tetras = tetras();
+            scene.volumes[0].projection = RayProjection{type, threshold};
+            compare(scene,
+                    "tetrahedra, " + std::to_string(static_cast<int>(type)) + std::to_string(threshold));
+        }
+}
+
+TEST_P(SceneDrawing, projectionsOfTetrahedraStandBetweenOtherThings)
+{
+    StyledScene scene = turnedScene({}, true, 4);
+    scene.volumes[0].tetras = tetras();
+    scene.volumes[0].projection = RayProjection{};
+    scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
+    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, 1.2, {1, 0, 0}, 0.4f)};
+    compare(scene, "tetrahedra, sphere and pane");
+    scene.volumes[0].segments = Segments{quarters(), 1, 255.0f, {1, -1, 0}, 0};
+    scene.volumes[0].chains.push_back({styleWithReference(ToneMapped{})});
+    compare(scene, "tetrahedra, segments, sphere and pane");
 }
 
 TEST_P(SceneDrawing, stipplesAreThePointsOfTheCpuEngine)
@@ -551,6 +625,8 @@ StyledScene fullScene()
     scene.volumes[1].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0.8, 0.0, 0.0));
     scene.volumes.push_back(turnedScene({}).volumes[0]);
     scene.volumes[2].stipple.emplace();
+    scene.volumes.push_back(scene.volumes[1]);
+    scene.volumes[3].tetras = tetras();
     return scene;
 }
 
@@ -562,6 +638,7 @@ void disturb(const GladGLContext& gl, bool core)
     gl.ActiveTexture(GL_TEXTURE1);
     gl.BindTexture(GL_TEXTURE_3D, names[0]);
     gl.BindTexture(GL_TEXTURE_2D, names[1]);
+    gl.BindTexture(GL_TEXTURE_2D_ARRAY, names[2]);
     gl.GenSamplers(1, names);
     gl.SamplerParameteri(names[0], GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.SamplerParameteri(names[0], GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -586,6 +663,8 @@ void disturb(const GladGLContext& gl, bool core)
         const GLubyte holes[128] = {};
         gl.PolygonStipple(holes);
     }
+    gl.GenFramebuffers(1, names);
+    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, names[0]);
     gl.CullFace(GL_FRONT_AND_BACK);
     gl.LogicOp(GL_CLEAR);
     gl.PolygonOffset(1.0f, 1e6f);
@@ -649,7 +728,8 @@ std::map<GLenum, std::vector<GLint>> stateOf(const GladGLContext& gl)
     gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
     for (GLenum unit = GL_TEXTURE0; unit < GL_TEXTURE0 + 8; ++unit) {
         gl.ActiveTexture(unit);
-        for (const GLenum name : {GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_2D, GL_SAMPLER_BINDING}) {
+        for (const GLenum name : {GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY,
+                                  GL_SAMPLER_BINDING}) {
             GLint value = 0;
             gl.GetIntegerv(name, &value);
             state[unit].push_back(value);
@@ -690,6 +770,130 @@ TEST_P(SceneDrawing, scissorAndColorMaskOfTheCallerCount)
             ASSERT_EQ(pixelAt(drawn, x, y)[0], inside ? pixelAt(expected, x, y)[0] : 0.0f) << x << " " << y;
             ASSERT_EQ(pixelAt(drawn, x, y)[1], 0.0f);
         }
+}
+
+// ---- Framebuffers of the caller
+
+/// What a program has of colours and depths; depths may be missing (0).
+struct Format
+{
+    GLenum depth;
+    int samples;
+    const char* name;
+};
+
+/// A framebuffer of 8-bit colours, and one without depths to read it.
+class ByteFramebuffer
+{
+public:
+    ByteFramebuffer(const GladGLContext& gl, const Format& format) : gl_(gl)
+    {
+        make(0, 0, framebuffers_[1], buffers_ + 2);
+        make(format.samples, format.depth, framebuffers_[0], buffers_);
+    }
+    ~ByteFramebuffer()
+    {
+        gl_.DeleteFramebuffers(2, framebuffers_);
+        gl_.DeleteRenderbuffers(3, buffers_);
+    }
+    ByteFramebuffer(const ByteFramebuffer&) = delete;
+    ByteFramebuffer& operator=(const ByteFramebuffer&) = delete;
+
+    std::vector<unsigned char> read() const
+    {
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
+        gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[1]);
+        gl_.BlitFramebuffer(0, 0, kPixels, kPixels, 0, 0, kPixels, kPixels, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[1]);
+        std::vector<unsigned char> pixels(4 * kPixels * kPixels);
+        gl_.ReadPixels(0, 0, kPixels, kPixels, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+        return pixels;
+    }
+
+private:
+    void make(int samples, GLenum depth, GLuint& framebuffer, GLuint* buffers) const
+    {
+        gl_.GenFramebuffers(1, &framebuffer);
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        const auto attach = [&](GLenum point, GLenum format, GLuint& buffer) {
+            gl_.GenRenderbuffers(1, &buffer);
+            gl_.BindRenderbuffer(GL_RENDERBUFFER, buffer);
+            gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, kPixels, kPixels);
+            gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, point, GL_RENDERBUFFER, buffer);
+        };
+        attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, buffers[0]);
+        const bool both = depth == GL_DEPTH24_STENCIL8 || depth == GL_DEPTH32F_STENCIL8;
+        if (depth != 0) attach(both ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, depth, buffers[1]);
+        EXPECT_EQ(gl_.CheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+    }
+
+    const GladGLContext& gl_;
+    GLuint framebuffers_[2]{}, buffers_[3]{};
+};
+
+constexpr double kFaint = 0.002;
+constexpr int kFaintSlices = 512;
+
+/// Slices that are each less than what 8 bits can tell from nothing.
+StyledScene faintScene()
+{
+    auto function = std::make_shared<VoxelTexture>();
+    function->kind = TexelKind::float32;
+    function->components = 4;
+    const float texel[4] = {0.75f, 0.5f, 0.25f, static_cast<float>(kFaint)};
+    function->texels.resize(sizeof texel);
+    std::memcpy(function->texels.data(), texel, sizeof texel);
+    OpacityMap map;
+    map.transferFunction = function;
+    StyledScene scene = sceneOf(constant(0.5), false);
+    scene.volumes[0].chains = {{makeStyle(map)}};
+    scene.volumes[0].unitLength = scene.volumes[0].spacing = 2.0 / kFaintSlices;
+    return scene;
+}
+
+TEST_P(SceneDrawing, faintSlicesAddUpInFramebuffersOfEightBits)
+{
+    for (const Format& format :
+         {Format{GL_DEPTH24_STENCIL8, 0, "24 bits"}, Format{GL_DEPTH_COMPONENT16, 0, "16 bits"},
+          Format{GL_DEPTH_COMPONENT32F, 0, "floats"}, Format{0, 0, "no depths"},
+          Format{GL_DEPTH24_STENCIL8, 4, "24 bits, samples"}, Format{GL_DEPTH_COMPONENT24, 4, "24, samples"},
+          Format{GL_DEPTH32F_STENCIL8, 4, "floats, samples"}, Format{0, 4, "no depths, samples"}})
+        for (const StyledScene& scene : {faintScene(), sliced(faintScene())}) {
+            const ByteFramebuffer target(gl(), format);
+            gl().ClearColor(0, 0, 0, 1);
+            gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+            // Something opaque in the left half, in the middle of the volume, at the depth 4 of 1 to 10.
+            gl().Enable(GL_SCISSOR_TEST);
+            gl().Scissor(0, 0, kPixels / 2, kPixels);
+            gl().ClearDepth((4.0 - 1.0) / 9.0);
+            gl().ClearColor(1, 1, 1, 1);
+            gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+            gl().Disable(GL_SCISSOR_TEST);
+            gl().ClearDepth(1.0);
+            drawer_.draw(scene);
+            const std::vector<unsigned char> drawn = target.read();
+            for (const bool left : {true, false}) {
+                const bool hidden = left && format.depth != 0;
+                const double alpha = 1.0 - std::pow(1.0 - kFaint, kFaintSlices / (hidden ? 2.0 : 1.0));
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double color = 0.75 - 0.25 * static_cast<double>(c);
+                    const double expected = 255.0 * (alpha * color + (1.0 - alpha) * (left ? 1.0 : 0.0));
+                    EXPECT_NEAR(drawn[4 * (32 * kPixels + (left ? 20 : 44)) + c], expected, 1.0)
+                        << format.name << (scene.surfaces.empty() ? "" : ", slices") << (left ? " left" : "");
+                }
+            }
+        }
+}
+
+TEST_P(SceneDrawing, opaqueSurfacesLeaveTheirDepths)
+{
+    StyledScene scene = faintScene();
+    scene.surfaces = {pane({0, 0, 0.5}, 0.0, {1, 0, 0}, 0.0f)};
+    scene.surfaces[0].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, 0.5));
+    picture(scene);
+    float depth = 0.0f;
+    gl().ReadPixels(32, 32, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    EXPECT_NEAR(depth, 2.5 / 9.0, 1e-6);
 }
 
 // ---- What cannot be drawn
