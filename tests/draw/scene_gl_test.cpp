@@ -531,7 +531,7 @@ TEST_P(SceneDrawing, projectionsOfTetrahedraJoinWholeRays)
     const auto silhouette = styleWithReference(SilhouetteEnhancement{0.3f, 0.7f, 1.5f, nullptr});
     using Type = RayProjection::Type;
     for (const Type type : {Type::max, Type::min, Type::average})
-        for (const float threshold : {0.0f, 0.35f}) {
+        for (const float threshold : {0.0f, 0.15f}) {
             StyledScene scene = turnedScene({silhouette}, threshold > 0.0f, threshold > 0.0f ? 4 : 1);
             scene.volumes[0].tetras = tetras();
             scene.volumes[0].projection = RayProjection{type, threshold};
