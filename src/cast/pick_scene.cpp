@@ -1,7 +1,9 @@
 #include "cast/pick_scene.h"
 
+#include "cast/ray_projection.h"
 #include "cast/scene_rays.h"
 #include "core/invertible.h"
+#include "style/stipple_points.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -18,6 +20,8 @@ namespace {
 
 constexpr double kMostSamples = 1 << 20;
 constexpr float kLeastGradient = 1e-6f;
+/// How many pixels a stipple may lie beside the place that is asked for.
+constexpr double kStippleReach = 3.0;
 
 /// Part of a ray inside of one cell of a volume: its box, or a tetrahedron.
 struct CellSpan
@@ -172,6 +176,18 @@ public:
         return batch_.Ov[0];
     }
 
+    /// The same for a projection, which looks at intensity() as well; nothing where no segment is drawn.
+    std::optional<float> projectedOpacity()
+    {
+        const float styled = opacity();
+        const int chain = chainHere();
+        if (chain < 0 || static_cast<std::size_t>(chain) >= volume_.chains.size()) return {};
+        if (!volume_.chains[static_cast<std::size_t>(chain)].empty()) return styled;
+        const int components = volume_.voxels->components;
+        return components % 2 != 0 ? 1.0f : batch_.voxel[static_cast<std::size_t>(components) - 1][0];
+    }
+    float intensity() const { return (batch_.Cv[0][0] + batch_.Cv[1][0] + batch_.Cv[2][0]) / 3; }
+
 private:
     float brightness(std::size_t i) const
     {
@@ -217,9 +233,9 @@ class ScenePicker
 {
 public:
     ScenePicker(const SceneRays& rays, double x, double y)
-        : eyeDepths_(rays.depths()), world_(transformed(rays.worldFromEye(), rays.ray(x, y)))
+        : eyeDepths_(rays.depths()), world_(transformed(rays.worldFromEye(), rays.ray(x, y))), pixel_(x, y),
+          front_(eyeDepths_.end), opaque_(eyeDepths_.end)
     {
-        hit_.depth = eyeDepths_.end;
     }
 
     void look(const StyledSurface& surface)
@@ -230,12 +246,18 @@ public:
             lookAtTriangle(surface, local, &surface.triangles[i]);
     }
 
-    void look(const StyledVolume& volume, float threshold)
+    /// After all surfaces.
+    void look(const StyledScene& scene, const StyledVolume& volume, float threshold)
     {
         if (!volume.voxels || volume.voxels->texels.empty() || !isInvertible(volume.worldFromLocal)) return;
         if (!(volume.spacing > 0) || !std::isfinite(volume.spacing)) return;
         const DepthRay local = transformed(glm::inverse(volume.worldFromLocal), world_);
-        const auto spans = spansOf(volume, world_, local, {eyeDepths_.begin, hit_.depth});
+        if (threshold >= 0 && volume.stipple) {
+            lookForStipple(scene, volume, threshold);
+            return;
+        }
+        const bool isProjected = threshold >= 0 && volume.projection && !volume.surfaces;
+        const auto spans = spansOf(volume, world_, local, {eyeDepths_.begin, isProjected ? opaque_ : front_});
         if (spans.empty()) return;
         if (threshold < 0) {
             take(SceneHit::Kind::bounds, volume, local, spans.front(), spans.front().depths.begin,
@@ -243,6 +265,10 @@ public:
             return;
         }
         VolumeProbe probe(volume, local);
+        if (isProjected) {
+            lookForProjected(volume, local, spans, probe, threshold);
+            return;
+        }
         for (const CellSpan& span : spans)
             if (volume.surfaces ? lookForSurface(volume, local, span, probe)
                                 : lookForVoxel(volume, local, span, probe, threshold))
@@ -257,6 +283,67 @@ private:
     {
         hit_ = {kind,    volume.id, world_.at(depth), local.at(depth), span.place.at(depth), normal,
                 opacity, depth};
+        front_ = depth;
+    }
+
+    /// The sample that the projection shows. It stands where the first sample of the ray is.
+    void lookForProjected(const StyledVolume& volume, const DepthRay& local,
+                          const std::vector<CellSpan>& spans, VolumeProbe& probe, float threshold)
+    {
+        JoinedSamples joined(*volume.projection);
+        for (const CellSpan& span : spans) {
+            const double first = std::ceil(span.depths.begin / volume.spacing - 0.5);
+            const double last = std::floor(span.depths.end / volume.spacing - 0.5);
+            for (double k = first; k <= last && k - first < kMostSamples && !joined.decided(); ++k) {
+                probe.sample(span, sampleDepth(volume.spacing, k));
+                const auto opacity = probe.projectedOpacity();
+                if (opacity) joined.add(sampleDepth(volume.spacing, k), probe.intensity(), *opacity);
+            }
+        }
+        if (joined.empty() || !(joined.depth() < front_) || !(joined.opacity() > threshold)) return;
+        const double depth = joined.chosenDepth();
+        const auto span = std::ranges::find_if(spans, [depth](const CellSpan& each) {
+            return each.depths.begin <= depth && depth <= each.depths.end;
+        });
+        if (span == spans.end()) return;
+        probe.sample(*span, depth);
+        take(SceneHit::Kind::voxel, volume, local, *span, depth, probe.normal(), joined.opacity());
+        front_ = joined.depth();
+    }
+
+    /// The point of the pixel, or the nearest one beside it.
+    void lookForStipple(const StyledScene& scene, const StyledVolume& volume, float threshold)
+    {
+        if (!(threshold < 1)) return;
+        const glm::dmat4 eyeFromLocal = scene.eyeFromWorld * volume.worldFromLocal;
+        const glm::dvec2 size(scene.width, scene.height);
+        std::optional<glm::dvec3> found;
+        double way = kStippleReach * kStippleReach, nearest = front_;
+        for (const StipplePoint& point : stipplePoints(scene, volume, 0)) {
+            const glm::dvec4 eye = eyeFromLocal * glm::dvec4(glm::dvec3(point.position), 1.0);
+            const glm::dvec4 clip = scene.clipFromEye * eye;
+            if (!(clip.w > 0) || !(-eye.z >= eyeDepths_.begin && -eye.z < front_)) continue;
+            const glm::dvec2 off =
+                glm::floor((0.5 * glm::dvec2(clip) / clip.w + 0.5) * size) - glm::floor(pixel_);
+            const double square = glm::dot(off, off);
+            if (square > way || (square == way && -eye.z >= nearest)) continue;
+            way = square;
+            nearest = -eye.z;
+            found = glm::dvec3(point.position);
+        }
+        if (found) takeStipple(volume, *found, nearest);
+    }
+
+    void takeStipple(const StyledVolume& volume, const glm::dvec3& position, double depth)
+    {
+        const glm::dvec3 world(volume.worldFromLocal * glm::dvec4(position, 1.0));
+        const DepthRay local = transformed(glm::inverse(volume.worldFromLocal),
+                                           {world - world_.direction * depth, world_.direction});
+        const CellSpan span = boxSpan(volume, local, {depth, depth});
+        VolumeProbe probe(volume, local);
+        probe.sample(span, depth);
+        take(SceneHit::Kind::voxel, volume, local, span, depth, probe.normal(), 1);
+        hit_.world = world;
     }
 
     bool lookForVoxel(const StyledVolume& volume, const DepthRay& local, const CellSpan& span,
@@ -325,19 +412,25 @@ private:
         if (against == 0 || (surface.solid && against < 0)) return;
         const glm::dvec3 from = local.origin - a;
         const double depth = glm::dot(from, normal) / against;
-        if (!(depth >= eyeDepths_.begin && depth < hit_.depth)) return;
+        if (!(depth >= eyeDepths_.begin && depth < eyeDepths_.end)) return;
         const glm::dvec3 turn = glm::cross(from, local.direction);
         const double u = glm::dot(ac, turn) / against, v = -glm::dot(ab, turn) / against;
         if (u < 0 || v < 0 || u + v > 1) return;
         const glm::dvec3 world = world_.at(depth);
         for (const glm::dvec4& plane : surface.clipPlanes)
             if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0) return;
+        if (surface.isOpaque()) opaque_ = std::min(opaque_, depth);
+        if (depth >= front_) return;
+        front_ = depth;
         const glm::dvec3 unit = glm::normalize(against > 0 ? normal : -normal);
         hit_ = {SceneHit::Kind::surface, surface.id, world, local.at(depth), {}, glm::vec3(unit), 1, depth};
     }
 
     DepthRange eyeDepths_;
     DepthRay world_;
+    glm::dvec2 pixel_;
+    double front_;  ///< where what is hit stands: hides what is behind
+    double opaque_; ///< of the nearest opaque surface
     SceneHit hit_;
 };
 
@@ -351,7 +444,7 @@ SceneHit pickScene(const StyledScene& scene, double x, double y, float threshold
     for (const StyledSurface& surface : scene.surfaces)
         picker.look(surface);
     for (const StyledVolume& volume : scene.volumes)
-        picker.look(volume, threshold);
+        picker.look(scene, volume, threshold);
     return picker.hit();
 }
 

@@ -4,18 +4,18 @@ namespace vo {
 
 bool JoinedSamples::endsAbove() const
 {
-    return projection_.intensityThreshold > 0.0f && last_.value > sign_ * projection_.intensityThreshold;
+    return projection_.type != RayProjection::Type::average && projection_.intensityThreshold > 0.0f &&
+           last_.value > sign_ * projection_.intensityThreshold;
 }
 
 void JoinedSamples::add(double depth, float intensity, float opacity)
 {
     if (decided_) return;
     if (count_ == 0) depth_ = depth;
-    const Candidate sample{sign_ * intensity, opacity};
+    const Candidate sample{sign_ * intensity, opacity, depth};
     intensities_ += static_cast<double>(intensity);
     opacities_ += static_cast<double>(opacity);
-    if (projection_.type != RayProjection::Type::average && count_ > 0 && endsAbove() &&
-        sample.value < last_.value) {
+    if (count_ > 0 && endsAbove() && sample.value < last_.value) {
         decided_ = true;
         return;
     }

@@ -21,12 +21,15 @@ public:
     double depth() const { return depth_; } ///< of the first sample
     float intensity() const;
     float opacity() const;
+    /// Of the sample that is chosen; of those of a mean, the one that adds most to it.
+    double chosenDepth() const { return chosen().depth; }
 
 private:
     struct Candidate
     {
         float value = 0.0f; ///< the greater, the better
         float opacity = 0.0f;
+        double depth = 0.0;
     };
     /// The last sample is chosen if the ray ends there.
     bool endsAbove() const;

@@ -49,8 +49,12 @@ protected:
         EXPECT_TRUE(view.picture(rgba.data()));
         return rgba;
     }
+    float red(const std::vector<float>& rgba, int x, int y) const
+    {
+        return rgba[std::size_t(4 * (y * view.getWidth() + x))];
+    }
     /// The sky is black.
-    float red(int x, int y) { return picture()[std::size_t(4 * (y * view.getWidth() + x))]; }
+    float red(int x, int y) { return red(picture(), x, y); }
 
     voX3DScene scene;
     voX3DView view{scene};
@@ -128,6 +132,86 @@ TEST_F(View, segmentsThatAreHiddenAreNotPicked)
          voxels + ids + "</SegmentedVolumeData>");
     ASSERT_TRUE(view.pick(32, 32, 0.5f, hit));
     EXPECT_GT(hit.world[0], 0) << "the half of number 0 is not there";
+}
+
+/// 9 x 1 x 1 voxels, as many wide, of any values; the eye looks along +x, and planes are 1 apart.
+std::string rowOf(const std::string& values, const std::string& style)
+{
+    return "<OrthoViewpoint position='-10 0 0' orientation='0 1 0 -1.570796327' fieldOfView='-2 -2 2 2'/>"
+           "<VolumeData DEF='V' dimensions='9 1 1'>" +
+           style + "<PixelTexture3D containerField='voxels' image='1 9 1 1 " + values + "'/></VolumeData>";
+}
+
+TEST_F(View, projectionsArePickedWhereTheVoxelLiesThatTheyShow)
+{
+    struct Case
+    {
+        const char* fields;
+        double x;
+    };
+    // Voxels lie at -4 to 4. Planes lie half a voxel from them; a sample is the mean of two voxels.
+    const std::string row = "50 100 100 40 10 20 250 250 30";
+    for (const Case& each : {Case{"type='MAX'", 2.5}, Case{"type='MIN'", 0.5}, Case{"type='AVERAGE'", 2.5},
+                             Case{"type='MAX' intensityThreshold='0.25'", -2.5}}) {
+        read(rowOf(row, std::string("<ProjectionVolumeStyle ") + each.fields + "/>"));
+        ASSERT_TRUE(view.pick(32, 32, 0.5f, hit)) << each.fields;
+        EXPECT_EQ(hit.kind, voX3DPick::VOXEL);
+        EXPECT_NEAR(hit.world[0], each.x, 0.51) << each.fields;
+        EXPECT_EQ(hit.opacity, 1.0f) << "voxels have no opacity of their own";
+        EXPECT_FALSE(view.pick(32, 32, 1, hit)) << "nothing is above 1";
+    }
+}
+
+TEST_F(View, projectionsEndAtOpaqueSurfacesAndStandAtTheirFirstSample)
+{
+    const std::string row = rowOf("50 100 100 40 10 20 250 250 30", "<ProjectionVolumeStyle/>");
+    const auto wallAt = [](double x, const char* transparency) {
+        return "<Transform translation='" + std::to_string(x) +
+               " 0 0'><Shape DEF='S'><Appearance><Material transparency='" + transparency +
+               "'/></Appearance><Box size='0.2 4 4'/></Shape></Transform>";
+    };
+    read(row + wallAt(0, "0"));
+    ASSERT_TRUE(view.pick(32, 32, 0, hit));
+    EXPECT_EQ(hit.node, scene.find("V"));
+    EXPECT_NEAR(hit.world[0], -2.5, 0.51) << "the greatest is hidden";
+    read(row + wallAt(0, "0.5"));
+    ASSERT_TRUE(view.pick(32, 32, 0, hit));
+    EXPECT_EQ(hit.node, scene.find("V")) << "which stands in front of the wall";
+    EXPECT_NEAR(hit.world[0], 2.5, 0.51);
+    read(row + wallAt(-6, "0.5"));
+    ASSERT_TRUE(view.pick(32, 32, 0, hit));
+    EXPECT_EQ(hit.node, scene.find("S"));
+}
+
+TEST_F(View, stipplesArePickedAtTheirPoints)
+{
+    const std::string text =
+        "<X3D profile='Full' version='3.0'><Scene><Viewpoint position='0 0 6'/><VolumeData DEF='V' "
+        "dimensions='2 2 2'><StippleVolumeStyle/><PixelTexture3D containerField='voxels' image='1 3 3 3 "
+        "0 0 0 0 90 0 0 0 0 0 90 0 90 255 90 0 90 0 0 0 0 0 90 0 0 0 0'/></VolumeData></Scene></X3D>";
+    ASSERT_TRUE(scene.readText(text.data(), text.size(), "test"));
+    view.setSize(64, 64);
+    view.setHeadlight(VO_FALSE);
+    const std::vector<float> drawn = picture();
+    int points = 0, beside = 0;
+    for (int y = 16; y < 48; ++y)
+        for (int x = 16; x < 48; ++x) {
+            // Every point that is drawn is hit: it projects into its pixel.
+            const bool isDrawn = drawn[std::size_t(4 * (y * 64 + x)) + 3] > 0 && red(drawn, x, y) > 0;
+            const bool isHit = view.pick(x, y, 0.5f, hit);
+            EXPECT_TRUE(isHit || !isDrawn) << x << " " << y;
+            if (!isHit) continue;
+            const double scale = 32 / std::tan(M_PI / 8) / hit.depth;
+            const double offX = std::floor(32 + scale * double(hit.world[0])) - x;
+            const double offY = std::floor(32 + scale * double(hit.world[1])) - y;
+            EXPECT_LE(std::hypot(offX, offY), isDrawn ? 0.0 : 3.0) << x << " " << y;
+            EXPECT_NEAR(hit.depth, 6 - double(hit.world[2]), 1e-4);
+            EXPECT_EQ(hit.opacity, 1.0f);
+            ++(isDrawn ? points : beside);
+        }
+    EXPECT_GT(points, 4);
+    EXPECT_GT(beside, 20);
+    EXPECT_FALSE(view.pick(32, 32, 1, hit));
 }
 
 TEST_F(View, camerasByMatricesAreTaken)

@@ -87,7 +87,8 @@ public:
     voBool picture(float *rgba, int threads = 0);
 
     /** What is seen first through the middle of a pixel: surfaces, isosurfaces, and of volumes the first sample that has
-        after their styles more than the opacity `threshold`; below 0 their bounds count. VO_FALSE where there is
+        after their styles more than the opacity `threshold`; below 0 their bounds count. Of a projection the voxel that
+        it shows, of stipples the point of the pixel or the nearest one up to 3 pixels from it. VO_FALSE where there is
         nothing. */
     voBool pick(int x, int y, float threshold, voX3DPick &hit);
     /** The same for TouchSensors, as a pointing device does it: moved to a pixel (isOver, hitPoint_changed ...), pressed
