@@ -159,13 +159,13 @@ bool TranslucentTarget::begin(int width, int height)
     const DepthBits bits = depthBitsOf(gl);
     const GLenum format = formatOf(bits, isMultisampled(gl));
     if (width != width_ || height != height_ || format != depthFormat_) makeTarget(width, height, format);
-    const bool known = bits.depth == 0 || copyDepths();
+    const bool known = bits.depth != 0 && copyDepths();
     forgetErrors(gl);
     bindWithDepths();
     constexpr float kClear[4] = {}, kFarthest = 1.0f;
     gl.ClearBufferfv(GL_COLOR, 0, kClear);
     gl.DepthMask(GL_TRUE);
-    if (!known || bits.depth == 0) gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);
+    if (!known) gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);
     gl.DepthMask(GL_FALSE);
     return known;
 }

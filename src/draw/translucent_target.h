@@ -17,8 +17,8 @@ public:
     TranslucentTarget& operator=(const TranslucentTarget&) = delete;
 
     /// Copies the depths of the framebuffer that is bound for drawing, from its lower left corner on; then
-    /// its own framebuffer is bound, and clear. False: these depths cannot be had, and its own are the
-    /// farthest. Throws std::runtime_error if the driver has no such framebuffer.
+    /// its own framebuffer is bound, and clear. False: it has none or they cannot be had, and those
+    /// here are the farthest. Throws std::runtime_error if the driver has no such framebuffer.
     bool begin(int width, int height);
     /// Binds its framebuffer with the depths, to test against them; or without them, so that textures may be
     /// read: also its own of depths, which is bound to the unit then.

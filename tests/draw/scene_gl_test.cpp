@@ -587,6 +587,7 @@ TEST_P(SceneDrawing, shadowsAreThoseOfTheCpuEngine)
     shaded.specular = glm::vec3(0.5f);
     StyledScene scene = turnedScene({makeStyle(shaded)});
     StyledVolume& volume = scene.volumes[0];
+    volume.dimensions = {2.0f, 0.8f, 0.5f}; // shadows of few texels
     std::vector<StyleLight>& lights = volume.surroundings.lights;
     lights.insert(lights.end(), lights.begin(), lights.begin() + 2);
     lights[3].direction = -lights[3].direction;
@@ -883,6 +884,16 @@ TEST_P(SceneDrawing, faintSlicesAddUpInFramebuffersOfEightBits)
                 }
             }
         }
+}
+
+TEST_P(SceneDrawing, opaqueSurfacesHideVolumesWhereThereAreNoDepths)
+{
+    StyledScene scene = faintScene();
+    scene.surfaces = {pane({0, 0, 0}, 0.0, {1, 0, 0}, 0.0f)};
+    const ByteFramebuffer target(gl(), {0, 0, "no depths"});
+    drawer_.draw(scene);
+    const double alpha = 1.0 - std::pow(1.0 - kFaint, kFaintSlices / 2.0);
+    EXPECT_NEAR(target.read()[4 * (32 * kPixels + 32)], 255.0 * (alpha * 0.75 + 1.0 - alpha), 1.0);
 }
 
 TEST_P(SceneDrawing, opaqueSurfacesLeaveTheirDepths)

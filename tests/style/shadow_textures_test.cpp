@@ -173,6 +173,9 @@ TEST(Shadows, ofABallLieOnThePlateBehindIt)
     }
 }
 
+/// Long, so that shadows along x have few texels.
+const glm::vec3 kLong(1.0f, 0.5f, 0.5f), kThin(1.0f, 0.25f, 0.125f);
+
 /// One half solid: x above 0.
 std::shared_ptr<VoxelTexture> halfSolid()
 {
@@ -183,12 +186,12 @@ TEST(Shadows, ofWhatIsNotDrawnAreNone)
 {
     const StyleLight light = sunOf({-1, 0, 0});
     const dvec3 behind(-0.3, 0, 0);
-    EXPECT_LT(lightAt(shadowed(volumeOf(halfSolid(), glm::vec3(1.0f), {light})), behind), 0.01);
-    StyledVolume clipped = volumeOf(halfSolid(), glm::vec3(1.0f), {light});
+    EXPECT_LT(lightAt(shadowed(volumeOf(halfSolid(), kLong, {light})), behind), 0.01);
+    StyledVolume clipped = volumeOf(halfSolid(), kLong, {light});
     clipped.worldFromLocal[3] = {5, 0, 0, 1};
     clipped.clipPlanes = {{-1, 0, 0, 5}};
     EXPECT_GT(lightAt(shadowed(clipped), behind), 0.95);
-    StyledVolume segmented = volumeOf(halfSolid(), glm::vec3(1.0f), {light});
+    StyledVolume segmented = volumeOf(halfSolid(), kLong, {light});
     segmented.segments = Segments{halfSolid(), 0, 1.0f, {0, -1}, 0};
     EXPECT_GT(lightAt(shadowed(segmented), behind), 0.95);
     segmented.segments->chainOf = {0, 0};
@@ -202,8 +205,8 @@ TEST(Shadows, ofWhatIsNotDrawnAreNone)
 
 TEST(Shadows, ofStylesThatLookAtTheEyeAreThoseOfTheirFaces)
 {
-    StyledVolume volume = volumeOf(voxelsOf({32, 1, 1}, [](const dvec3& place) { return place.x; }),
-                                   glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    StyledVolume volume = volumeOf(voxelsOf({32, 1, 1}, [](const dvec3& place) { return place.x; }), kLong,
+                                   {sunOf({-1, 0, 0})});
     const dvec3 at(-0.3, 0, 0);
     SilhouetteEnhancement rim;
     rim.retainedOpacity = 0.0f;
@@ -217,7 +220,7 @@ TEST(Shadows, ofStylesThatLookAtTheEyeAreThoseOfTheirFaces)
 
 TEST(Shadows, ofSurfacesFallBehindThem)
 {
-    StyledVolume volume = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    StyledVolume volume = volumeOf(halfSolid(), kLong, {sunOf({-1, 0, 0})});
     volume.surfaces = IsoSurfaces{{0.5f}, {{makeStyle(OpacityMap{}), shadedWithShadows()}}, 0.0f, nullptr};
     const StyledVolume shown = shadowed(volume);
     EXPECT_NEAR(lightAt(shown, {-0.3, 0.1, 0.2}), 0.5, 0.003);
@@ -250,7 +253,7 @@ std::shared_ptr<const VoxelTexture> textureOf(const StyledVolume& volume, std::s
 
 TEST(Shadows, areKeptWhileNothingChanges)
 {
-    StyledVolume plain = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0}), lampAt({2, 3, 4})});
+    StyledVolume plain = volumeOf(halfSolid(), kThin, {sunOf({-1, 0, 0}), lampAt({2, 3, 4})});
     plain.chains = {{std::make_shared<Recorder>(), makeStyle(OpacityMap{})}};
     ShadowStore store;
     const auto textureFor = [&](StyledVolume volume) {
@@ -284,7 +287,7 @@ TEST(Shadows, areKeptWhileNothingChanges)
 
 TEST(Shadows, ofFourLightsAreInOneTexture)
 {
-    StyledVolume volume = volumeOf(halfSolid(), glm::vec3(1.0f), {});
+    StyledVolume volume = volumeOf(halfSolid(), kThin, {});
     for (int i = 0; i < 9; ++i)
         volume.surroundings.lights.push_back(i == 5 ? sunOf({-1, 0, 0}) : sunOf({1, 0, 0}));
     volume.chains = {{std::make_shared<Recorder>()}};
@@ -293,7 +296,7 @@ TEST(Shadows, ofFourLightsAreInOneTexture)
     const VoxelTexture& second = *textureOf(nine, 1);
     EXPECT_EQ(second.components, 4);
     EXPECT_THROW(textureOf(nine, 2), std::out_of_range);
-    EXPECT_EQ(second.size, (VoxelSize{128, 128, 128}));
+    EXPECT_EQ(second.size, (VoxelSize{128, 32, 16}));
     std::array<std::uint16_t, 4> texel{};
     std::memcpy(texel.data(), second.texels.data(), sizeof texel);
     EXPECT_LT(texel[1], 100);
@@ -332,7 +335,7 @@ TEST(Shadows, ofVolumesWithoutSenseAreNone)
         ShadowStore().add(volume, 0);
         return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.size();
     };
-    const StyledVolume whole = volumeOf(halfSolid(), glm::vec3(1.0f), {sunOf({-1, 0, 0})});
+    const StyledVolume whole = volumeOf(halfSolid(), kThin, {sunOf({-1, 0, 0})});
     EXPECT_EQ(recorded(whole), 1u);
     StyledVolume volume = whole;
     volume.voxels = nullptr;

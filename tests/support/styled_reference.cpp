@@ -226,8 +226,8 @@ public:
                               : spotInBox(dvec3(volume_.dimensions), position);
     }
 
-    /// Before any style.
-    ReferenceSample sampleAt(double depth) const
+    /// Before any style; its normal, which takes most of the time, may be left out where nothing reads it.
+    ReferenceSample sampleAt(double depth, bool withNormal = true) const
     {
         const Spot spot = spotAt(depth).value();
         ReferenceSample sample;
@@ -236,7 +236,9 @@ public:
         sample.V = -glm::normalize(local_.perDepth);
         sample.voxel = referenceTexel(*volume_.voxels, spot.place);
         const dvec3 dimensions(volume_.dimensions);
-        setNormal(referenceGradient(*volume_.voxels, dimensions, spot.place, spot.placeFromLocal), sample);
+        if (withNormal)
+            setNormal(referenceGradient(*volume_.voxels, dimensions, spot.place, spot.placeFromLocal),
+                      sample);
         referenceFirstColor(volume_.voxels->components, sample);
         return sample;
     }
@@ -339,9 +341,9 @@ void addSamples(const StyledVolume& volume, const Sight& sight, double farthest,
 {
     const Walk walk(volume, sight);
     walk.forSamples(farthest, [&](long, double depth) {
-        ReferenceSample sample = walk.sampleAt(depth);
-        const StyleChain* chain = chainAt(volume, sample.place);
+        const StyleChain* chain = chainAt(volume, walk.spotAt(depth)->place);
         if (!chain) return;
+        ReferenceSample sample = walk.sampleAt(depth, !chain->empty());
         shadow(volume, *chain, sample);
         referenceChain(*chain, volume.surroundings, sample);
         all.push_back({depth, sample.Cv, walk.opacityOver(sample.Ov)});
@@ -386,9 +388,9 @@ void addProjection(const StyledVolume& volume, const Sight& sight, double farthe
     const Walk walk(volume, sight);
     std::vector<Seen> samples;
     walk.forSamples(farthest, [&](long, double depth) {
-        ReferenceSample sample = walk.sampleAt(depth);
-        const StyleChain* chain = chainAt(volume, sample.place);
+        const StyleChain* chain = chainAt(volume, walk.spotAt(depth)->place);
         if (!chain) return;
+        ReferenceSample sample = walk.sampleAt(depth, !chain->empty());
         referenceChain(*chain, volume.surroundings, sample);
         const int components = volume.voxels->components;
         if (chain->empty()) sample.Ov = components % 2 ? 1.0 : sample.voxel[components - 1];
@@ -417,7 +419,7 @@ void addSurfacesOfValues(const StyledVolume& volume, const Sight& sight, std::ve
     long previous = 0;
     std::optional<double> before;
     walk.forSamples(sight.farthest, [&](long k, double depth) {
-        const double value = walk.sampleAt(depth).voxel.r;
+        const double value = walk.sampleAt(depth, false).voxel.r;
         for (std::size_t i = 0; before && previous + 1 == k && i < volume.surfaces->values.size(); ++i) {
             const double level = static_cast<double>(volume.surfaces->values[i]);
             if ((*before < level) == (value < level)) continue;
