@@ -323,6 +323,32 @@ TEST_P(SceneDrawing, volumesThatOverlapAreOneBehindTheOther)
     compare(scene, "two volumes of one spacing");
 }
 
+TEST_P(SceneDrawing, volumesBesideAndBehindEachOtherAreInOrder)
+{
+    StyledScene scene = turnedScene({});
+    StyledVolume& volume = scene.volumes[0];
+    volume.worldFromLocal = glm::scale(volume.worldFromLocal, glm::dvec3(0.4));
+    volume.spacing = 0.03;
+    for (const glm::dvec3& place : {glm::dvec3(0.6, 0.0, 0.0), glm::dvec3(0.1, 0.2, -1.5)}) {
+        scene.volumes.push_back(scene.volumes[0]);
+        scene.volumes.back().worldFromLocal[3] = glm::dvec4(place, 1.0);
+    }
+    scene.volumes[0].worldFromLocal[3] = glm::dvec4(-0.5, 0.0, 0.0, 1.0);
+    compare(scene, "beside and behind");
+    std::ranges::reverse(scene.volumes);
+    compare(scene, "beside and behind");
+}
+
+TEST_P(SceneDrawing, eyesMayBeInAVolume)
+{
+    StyledScene scene = turnedScene({});
+    scene.eyeFromWorld = glm::translate(glm::dmat4(1.0), glm::dvec3(0.1, 0.2, -0.3));
+    scene.clipFromEye = glm::perspective(1.0, 1.0, 0.1, 10.0);
+    compare(scene, "from within");
+    scene.surfaces = {pane({0, 0, 0}, 1.2, {1, 0, 0}, 1.0f)};
+    compare(scene, "from within");
+}
+
 TEST_P(SceneDrawing, clipPlanesCutVolumes)
 {
     StyledScene scene = turnedScene({});
