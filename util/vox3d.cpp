@@ -1,5 +1,6 @@
 // vox3d: scenes of X3D, and volumes in scenes: shown, drawn into pictures, checked and written.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -95,13 +96,38 @@ vo::Result<void> openScene(voX3DScene& scene, const vo::Vox3dOptions& options)
     return vo::Failure{options.input + ": expected a scene, found none that can be read"};
 }
 
+/// "1 (Front, The front), 2 (Near)", as far as there is room.
+std::string viewpointsOf(voX3DView& view)
+{
+    constexpr int kMost = 20;
+    const int count = view.getViewpointCount();
+    std::string text;
+    for (int i = 0; i < std::min(count, kMost); ++i) {
+        const voX3DNode viewpoint = view.getViewpoint(i);
+        const std::string name = viewpoint.getName(), description = viewpoint.getString("description");
+        text += (i == 0 ? "" : ", ") + std::to_string(i + 1);
+        if (name.empty() && description.empty()) continue;
+        text += " (" + name + (name.empty() || description.empty() ? "" : ", ") + description + ")";
+    }
+    return count > kMost ? text + " ... " + std::to_string(count) : text;
+}
+
+vo::Result<void> chooseViewpoint(voX3DView& view, const vo::Vox3dOptions& options)
+{
+    if (options.viewpoint.empty() || view.setViewpoint(options.viewpoint.c_str())) return {};
+    const std::string names = viewpointsOf(view);
+    return vo::Failure{"option -viewpoint: expected " +
+                       (names.empty() ? "none, since " + options.input + " has no viewpoints"
+                                      : "a viewpoint of " + options.input + ": " + names) +
+                       "; found \"" + options.viewpoint + "\""};
+}
+
 /// Pictures, or a window; where there is no display, a picture all the same.
 vo::Result<void> show(voX3DScene& scene, vo::Vox3dOptions options)
 {
     voX3DView view(scene);
     view.setSize(options.width, options.height);
-    if (!options.viewpoint.empty() && !view.setViewpoint(options.viewpoint.c_str()))
-        return vo::Failure{"option -viewpoint: " + std::string(voError::getErrorString())};
+    if (auto chosen = chooseViewpoint(view, options); !chosen) return chosen;
     view.setTime(options.time);
     if (options.output.empty()) {
         std::string whyNot;

@@ -66,6 +66,8 @@ struct Option
 };
 
 constexpr double kMost = 1e30;
+/// A scene's clock tells milliseconds apart up to here.
+constexpr double kMostSeconds = 1e12;
 
 void readEngine(Vox3dOptions& to, Words& words)
 {
@@ -118,7 +120,9 @@ const std::vector<Option>& options()
          "round a scene that has none; FILE.png has a %d or %03d for their number",
          [](auto& to, auto& words) { to.frames = words.whole(1, 1000000, "a number of frames"); }},
         {"-time", "SECONDS", false, "the time of the (first) picture on the scene's clock (default 0)",
-         [](auto& to, auto& words) { to.time = words.number(-kMost, kMost, "a time in seconds"); }},
+         [](auto& to, auto& words) {
+             to.time = words.number(-kMostSeconds, kMostSeconds, "a time from -1e12 to 1e12 seconds");
+         }},
         {"-engine", "slices|cast", false,
          "draw by slices in OpenGL, or by rays on the processor (default: in a\n"
          "picture cast, in a window slices where OpenGL has hardware)",
@@ -134,8 +138,8 @@ const std::vector<Option>& options()
          "where values of the file become opaque: 0 up to CENTER - WIDTH / 2,\n"
          "full from CENTER + WIDTH / 2 (default: found from the values)",
          [](auto& to, auto& words) {
-             const double center = words.number(-kMost, kMost, "a center");
-             to.lut = {center, words.number(1e-30, kMost, "a width above 0")};
+             const double center = words.number(-kMost, kMost, "a center from -1e30 to 1e30");
+             to.lut = {center, words.number(1e-30, kMost, "a width from 1e-30 to 1e30")};
          }},
         {"-lutFile", "FILE", true, "colours and opacities from a table, as voglBasic takes it",
          [](auto& to, auto& words) { to.lutFile = words.text("a file name"); }},
@@ -146,7 +150,7 @@ const std::vector<Option>& options()
          "degrees (default 0 180, the face, where the file says how the patient\nlies; else 0 0)",
          [](auto& to, auto& words) {
              const double latitude = words.number(-90, 90, "a latitude from -90 to 90");
-             to.view = {latitude, words.number(-kMost, kMost, "a longitude")};
+             to.view = {latitude, words.number(-kMost, kMost, "a longitude from -1e30 to 1e30")};
          }},
     };
     return all;

@@ -4,6 +4,7 @@
 #include "volume_io/memory_block.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <vector>
@@ -53,6 +54,26 @@ void eachValue(const VolumeInfo& info, std::span<const std::byte> voxels,
     case ChannelType::float32: each(float()); break;
     }
 }
+
+/// Numbers of floats that others than those may expect.
+struct OddNumbers
+{
+    std::int64_t none = 0, infinite = 0, fractions = 0;
+    double firstFraction = 0;
+
+    void take(ChannelType type, std::span<const std::byte> voxels)
+    {
+        if (type != ChannelType::float32) return;
+        for (std::size_t at = 0; at + sizeof(float) <= voxels.size(); at += sizeof(float)) {
+            float number = 0;
+            std::memcpy(&number, voxels.data() + at, sizeof number);
+            none += std::isnan(number) ? 1 : 0;
+            infinite += std::isinf(number) ? 1 : 0;
+            if (number == std::floor(number)) continue;
+            if (fractions++ == 0) firstFraction = static_cast<double>(number);
+        }
+    }
+};
 
 /// How many voxels have values in each part of the range.
 using Histogram = std::vector<double>;
@@ -117,12 +138,18 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     values.channels = info.channels;
     values.alphaAdded = file->description().alphaAdded;
     values.isOriented = file->description().orientation.known;
+    OddNumbers odd;
     auto read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
         growRange(values.seen, info.type, voxels.data(),
                   voxels.size() / static_cast<std::size_t>(bytesPerChannel(info.type)));
+        odd.take(info.type, voxels);
     });
     if (!read) return read.failure();
-    if (values.seen.low > values.seen.high) values.seen = {0, 0};
+    if (values.seen.low > values.seen.high)
+        return Failure{path + ": expected numbers, found only " + std::to_string(odd.none) +
+                       " that are none (NaN) and " + std::to_string(odd.infinite) + " infinite ones"};
+    values.fractions = odd.fractions;
+    values.firstFraction = odd.firstFraction;
     const bool isUnsigned = info.type == ChannelType::uint8 || info.type == ChannelType::uint16;
     values.scene = isUnsigned ? fullRange(info.type) : values.seen;
     if (!(values.seen.low < values.seen.high)) {
@@ -135,7 +162,7 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
         eachValue(info, voxels, [&](double value) {
             const double bin = (value - values.seen.low) * scale;
-            if (bin >= 0) counts[std::min(static_cast<std::size_t>(bin), kBins - 1)] += 1;
+            if (bin >= 0) counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))] += 1;
         });
     });
     if (!read) return read.failure();

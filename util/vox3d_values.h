@@ -20,6 +20,9 @@ struct VolumeValues
     ValueRange seen;
     /// Between what is around and what is of interest; and a value that only one of 500 voxels is above.
     double threshold = 0, high = 1;
+    /// How many numbers are no whole ones, and the first of them.
+    std::int64_t fractions = 0;
+    double firstFraction = 0;
 };
 
 /// Opens a volume and looks at all of its voxels. `program` begins notes that are printed.

@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <numbers>
+#include <sstream>
 
 namespace vo {
 namespace {
@@ -322,6 +324,12 @@ private:
         if (numbers->size != values_.size)
             return Failure{options_.labels + ": expected " + sizeText(values_.size) + " voxels as in " +
                            options_.input + ", found " + sizeText(numbers->size)};
+        if (numbers->fractions > 0)
+            return Failure{options_.labels + ": expected whole numbers of segments, found " +
+                           numberText(numbers->firstFraction) +
+                           (numbers->fractions > 1
+                                ? " and " + std::to_string(numbers->fractions - 1) + " more that are none"
+                                : "")};
         if (numbers->seen.low < 0 || numbers->seen.high > kMostSegments)
             return Failure{options_.labels + ": expected numbers of segments from 0 to " +
                            std::to_string(int(kMostSegments)) + ", found " +
@@ -342,6 +350,12 @@ private:
         volume.setInts("segmentEnabled", enabled.data(), count);
         volume.setNodes("renderStyle", styles.data(), count);
         return volume;
+    }
+
+    static std::string numberText(double number)
+    {
+        char text[40];
+        return {text, std::to_chars(text, text + sizeof text, static_cast<float>(number)).ptr};
     }
 
     static std::string sizeText(const std::array<std::int64_t, 3>& size)
@@ -442,6 +456,22 @@ void eachUrl(const voX3DNode& node, const std::function<void(voX3DNode)>& take)
     }
 }
 
+/// A volume that is larger or smaller than scenes can be has voxels of length 1.
+void fitSpacing(const std::string& path, VolumeValues& values)
+{
+    constexpr double kLeast = 1e-15, kMost = 1e15;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = values.spacing[i] * static_cast<double>(values.size[i]);
+        if (length >= kLeast && length <= kMost) continue;
+        std::ostringstream text;
+        text << path << ": expected edges from 1e-15 to 1e15 long, found voxels " << values.spacing[i]
+             << " apart: taken as 1";
+        warn(kProgram, text.str());
+        values.spacing = {1, 1, 1};
+        return;
+    }
+}
+
 } // namespace
 
 bool isScene(const std::string& path)
@@ -469,8 +499,9 @@ Result<void> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options)
     }
     if (!scene.readText(empty.data(), empty.size(), options.input.c_str()))
         return Failure{options.input + ": " + scene.getMessage(0)};
-    const auto values = lookAtVolume(kProgram, options.input);
+    auto values = lookAtVolume(kProgram, options.input);
     if (!values) return values.failure();
+    fitSpacing(options.input, *values);
     if (values->seen.low == values->seen.high)
         warn(kProgram, options.input + ": all voxels are the same; nothing to tell apart");
     return SceneMaker(scene, options, *values).make();

@@ -8,6 +8,7 @@
 #include "x3d/check_scene.h"
 #include "x3d/check_textures.h"
 #include "x3d/printable_word.h"
+#include "x3d/styled_view.h"
 #include "x3d/write_scene.h"
 
 namespace vo {
@@ -114,6 +115,7 @@ int voX3DScene::getLeftOutMessageCount() const
 void voX3DScene::check()
 {
     guarded("check", [&] {
+        checkView(*d->scene);
         checkScene(*d->scene);
         checkTextures(*d->scene);
     });

@@ -41,6 +41,14 @@ void checkComponents(Scene& scene)
     }
 }
 
+/// Whether a picture's message says it already.
+bool isTold(const Scene& scene, const Node& node, const std::string& reasons)
+{
+    const std::string text = node.typeName() + ": " + reasons;
+    return std::ranges::any_of(scene.messages,
+                               [&](const SceneMessage& message) { return message.text == text; });
+}
+
 /// One of the files that a field names must be there; those of Inline were read.
 void checkUrls(Scene& scene, const Node& node, const FieldRow& row)
 {
@@ -54,7 +62,8 @@ void checkUrls(Scene& scene, const Node& node, const FieldRow& row)
         reasons += (reasons.empty() ? "" : "; ") + place.reason;
         if (reasons.size() > 400) break;
     }
-    warnAt(scene, node.place, node.typeName() + "." + row.name + ": " + reasons);
+    if (!isTold(scene, node, reasons))
+        warnAt(scene, node.place, node.typeName() + "." + row.name + ": " + reasons);
 }
 
 } // namespace

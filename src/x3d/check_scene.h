@@ -5,7 +5,7 @@
 namespace vo {
 
 /// Adds messages on what a scene needs and does not have: files that urls name, and components that its
-/// profile does not bring.
+/// profile does not bring. After checkView(), what that told is not told again.
 void checkScene(Scene& scene);
 
 } // namespace vo

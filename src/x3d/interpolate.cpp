@@ -101,7 +101,9 @@ std::optional<FieldValue> interpolated(const Node& interpolator, float fraction)
     const auto& keys = std::get<std::vector<float>>(interpolator.value(*interpolator.field("key")));
     const auto& values = std::get<std::vector<float>>(interpolator.value(valueRow));
     const auto components = static_cast<std::size_t>(shapeOf(valueRow.type).components);
-    const std::size_t count = std::min(keys.size(), values.size() / components);
+    // Keys that fall end the list.
+    const auto rising = static_cast<std::size_t>(std::ranges::is_sorted_until(keys) - keys.begin());
+    const std::size_t count = std::min(rising, values.size() / components);
     if (count == 0) return {};
     const KeySpan span = spanOf(std::span(keys).first(count), fraction);
     const Numbers from = std::span(values).subspan(span.low * components, components);

@@ -80,8 +80,10 @@ DepthRange depthRange(const PlacedNode& viewpoint, const ViewBox& eye)
 {
     DepthRange range{0.1, 100.0};
     if (!eye.isEmpty()) {
-        const double margin = 0.01 * glm::length(eye.high - eye.low) + 1e-6;
-        range = {std::max(-eye.high.z - margin, 0.0), std::max(-eye.low.z + margin, 1e-3)};
+        const double reach = std::max(std::abs(eye.low.z), std::abs(eye.high.z));
+        const double margin = 0.01 * glm::length(eye.high - eye.low) + 1e-6 * reach;
+        range = {std::max(-eye.high.z - margin, 0.0), -eye.low.z + margin};
+        if (!(range.far > 0.0)) range = {0.1, 100.0};
         if (!isOrtho(viewpoint)) range.near = std::max(range.near, range.far * 1e-3);
     }
     if (!viewpoint.node) return range;
@@ -110,7 +112,8 @@ glm::dmat4 eyeThatSeesAll(const PlacedNode& viewpoint, const glm::dmat4& eyeFrom
     if (world.isEmpty()) return glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -10)) * eyeFromWorld;
     const glm::dmat3 axes(eyeFromWorld);
     const glm::dvec3 center = axes * (world.low + world.high) * 0.5;
-    const double radius = std::max(glm::length(world.high - world.low) * 0.5, 1e-6);
+    const double extent = glm::length(world.high - world.low) * 0.5;
+    const double radius = extent > 0.0 ? extent : 1e-6;
     double distance = radius * 2.0;
     if (!isOrtho(viewpoint)) {
         const glm::dvec2 half = halfSides(viewpoint, width, height);

@@ -375,7 +375,7 @@ node IsoSurfaceVolumeData@iso : X3DVolumeDataNode | VolumeRendering 2 | children
   SFNode [in,out] gradients NULL <X3DTexture3DNode>
   MFNode [in,out] renderStyle [] <X3DVolumeRenderStyleNode>
   SFFloat [in,out] surfaceTolerance 0 [0,inf)
-  MFFloat [in,out] surfaceValues []
+  MFFloat [in,out] surfaceValues [] ~[0,1]
   SFNode [in,out] voxels NULL <X3DTexture3DNode>
 node OctTree@2005 : X3DChildNode X3DBoundedObject | VolumeRendering 1 | children
   MFNode [in,out] highRes [] <X3DChildNode>
@@ -427,7 +427,7 @@ node ShadedVolumeStyle@iso : ShadableStyle | VolumeRendering 3 | renderStyle
   SFString [] phaseFunction "Henyey-Greenstein" {Henyey-Greenstein NONE}
 node ProjectionVolumeStyle@iso : X3DVolumeRenderStyleNode | VolumeRendering 2 | renderStyle
   SFString [in,out] type "MAX" {MAX MIN AVERAGE}
-  SFFloat [in,out] intensityThreshold 0 [0,inf)
+  SFFloat [in,out] intensityThreshold 0 [0,inf) ~[0,1]
 node SilhouetteEnhancementVolumeStyle : ShadableStyle | VolumeRendering 3/2 | renderStyle
   @iso SFFloat [in,out] silhouetteSharpness 0.5 [0,inf)
   @2005 SFFloat [in,out] silhouetteFactor=silhouetteSharpness 0.5 [0,inf)

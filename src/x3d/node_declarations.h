@@ -10,7 +10,7 @@ namespace vo {
 ///
 ///     abstract NAME [: BASE ...]
 ///     node NAME[@WHEN] ... : BASE ... | COMPONENT LEVEL[/LEVEL] | CONTAINER
-///       [@WHEN] TYPE ACCESS NAME[=KEY] [DEFAULT] [RANGE] [{STRING ...}] [<NODE ...>]
+///       [@WHEN] TYPE ACCESS NAME[=KEY] [DEFAULT] [RANGE] [~RANGE] [{STRING ...}] [<NODE ...>]
 ///
 /// WHEN limits a name or a row to editions: 2005 (the proposal, in scenes before X3D 3.3), 3.3, 4.0, iso (the
 /// last two), 3 (the first two); without it all have it. A name of which the editions differ is written once
@@ -19,8 +19,9 @@ namespace vo {
 /// with one KEY (their name, if none is given; the row of that name comes first) are one field that was
 /// renamed. DEFAULT is numbers, TRUE, FALSE, quoted strings without blanks, NULL or [] (nothing in it). RANGE
 /// holds for each component: brackets belong to it, parentheses do not; "|-1" lets -1 pass too; pi and inf
-/// are numbers. {} lists the strings that are allowed, <> the nodes. A row stands for that of a base with the
-/// same key in the editions that it names.
+/// are numbers. ~RANGE is that of voxels, which the field is compared with: beyond it numbers are allowed,
+/// and find none. {} lists the strings that are allowed, <> the nodes. A row stands for that of a base with
+/// the same key in the editions that it names.
 std::array<std::string_view, 10> nodeDeclarations();
 
 } // namespace vo

@@ -274,6 +274,8 @@ private:
             else if (word.front() == '{')
                 for (const auto choice : inside(word))
                     row.choices.emplace_back(choice);
+            else if (word.front() == '~')
+                row.voxelRange = rangeOf(word.substr(1));
             else if (word.find(',') != word.npos)
                 row.range = rangeOf(word);
             else if (word != "[]" && word != "NULL")

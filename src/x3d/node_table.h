@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,6 +74,8 @@ struct FieldRow
     Editions editions = kAllEditions;
     FieldValue defaultValue;
     Range range;
+    /// Of fields that are compared with voxels: beyond it numbers are allowed, and find none.
+    std::optional<Range> voxelRange;
     /// Strings that are allowed; any where there are none.
     std::vector<std::string> choices;
     /// Nodes that are allowed.

@@ -46,8 +46,9 @@ void Node::unset(std::size_t slot)
 std::string messageLine(const SceneMessage& message)
 {
     const TextPlace& place = message.place;
-    return (place.file ? *place.file : "") + ":" + (place.line > 0 ? std::to_string(place.line) + ":" : "") +
-           (message.severity == Severity::error ? " error: " : " warning: ") + message.text;
+    return (place.file ? *place.file + ":" : "") + (place.line > 0 ? std::to_string(place.line) + ":" : "") +
+           (place.file ? " " : "") + (message.severity == Severity::error ? "error: " : "warning: ") +
+           message.text;
 }
 
 Node* Scene::create(const NodeType& type, Edition ofNode)
@@ -64,6 +65,16 @@ SceneFolders::Place Scene::locate(const Node& node, std::string_view url) const
 std::size_t Scene::errorCount() const
 {
     return static_cast<std::size_t>(std::ranges::count(messages, Severity::error, &SceneMessage::severity));
+}
+
+void Scene::tell(Severity severity, const Node& node, const std::string& text)
+{
+    constexpr std::size_t kMost = 1000;
+    if (told_.size() >= kMost) {
+        if (!told_.contains({&node, text})) ++messagesLeftOut;
+        return;
+    }
+    if (told_.emplace(&node, text).second) messages.push_back({severity, node.place, text});
 }
 
 namespace {

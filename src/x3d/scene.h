@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -100,7 +101,7 @@ struct SceneMessage
     std::string text;
 };
 
-/// "scene.x3d:12: warning: text".
+/// "scene.x3d:12: warning: text"; of a node that no file has, without the place.
 std::string messageLine(const SceneMessage& message);
 
 /// What a file says of itself before its nodes.
@@ -150,8 +151,12 @@ public:
     SceneFolders::Place locate(const Node& node, std::string_view url) const;
     std::size_t errorCount() const;
 
+    /// Adds a message on a node, once. Beyond 1000 of these they are counted alone.
+    void tell(Severity severity, const Node& node, const std::string& text);
+
 private:
     std::vector<std::unique_ptr<Node>> nodes_;
+    std::set<std::pair<const Node*, std::string>> told_;
 };
 
 /// Why a value may not stand in this field; nothing where it may. Range, choices, kinds of nodes, and of

@@ -8,6 +8,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <span>
 
@@ -39,6 +40,20 @@ private:
 glm::dmat4 matrixOf(const Node& node)
 {
     return isOf(&node, "Transform") ? transformMatrix(node) : glm::dmat4(1.0);
+}
+
+/// Of a matrix that has no inverse: whether it makes a box flat; else its numbers are too large or too small.
+bool isWithoutExtent(const glm::dmat4& matrix)
+{
+    const glm::dmat3 axes(matrix);
+    glm::dmat3 units;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double length = glm::length(axes[axis]);
+        if (!std::isfinite(length)) return false;
+        if (length == 0.0) return true;
+        units[axis] = axes[axis] / length;
+    }
+    return std::abs(glm::determinant(units)) < 1e-12;
 }
 
 /// All that stands below a group, shown or not.
@@ -139,7 +154,11 @@ private:
         if (isInvertible(worldFromLocal))
             found_.nodes.push_back({&node, worldFromLocal, path_, lights_, planes_});
         else
-            messages_.warn(node, node.typeName() + " stands in a Transform without extent: not drawn");
+            messages_.warn(node, node.typeName() + " stands in " +
+                                     (isWithoutExtent(worldFromLocal)
+                                          ? "a Transform without extent"
+                                          : "Transforms whose scales no number can hold") +
+                                     ": not drawn");
     }
 
     std::vector<const Node*> shownChildren(const Node& node, const glm::dmat4& worldFromNode)

@@ -1,5 +1,6 @@
 #include "x3d/styled_view.h"
 
+#include "x3d/doubtful_values.h"
 #include "x3d/node_cameras.h"
 #include "x3d/node_lights.h"
 #include "x3d/node_transform.h"
@@ -10,16 +11,29 @@
 #include "x3d/view_messages.h"
 #include "x3d/volume_nodes.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
+#include <set>
 
 namespace vo {
 namespace {
 
 /// Of all surfaces: 800 MB.
 constexpr std::size_t kMostPoints = 20'000'000;
+
+/// Of what is drawn, in the world.
+constexpr double kMostReach = 1e15, kLeastSize = 1e-15;
+
+std::string lengthText(double length)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, length, std::chars_format::general, 3).ptr};
+}
 
 /// The one that is bound at first: of the scene's own file, not of an Inline.
 PlacedNode firstOf(const std::vector<PlacedNode>& nodes, const char* typeName)
@@ -33,12 +47,16 @@ PlacedNode firstOf(const std::vector<PlacedNode>& nodes, const char* typeName)
 
 struct SceneView::Private
 {
-    explicit Private(Scene& whole) : scene(whole), messages(whole), volumes(whole, messages), shapes(messages)
+    Private(Scene& whole, VoxelReading reading)
+        : scene(whole), messages(whole), doubtful(whole, messages), volumes(whole, messages, reading),
+          shapes(messages)
     {
     }
 
     PlacedNode viewpointOf(const ViewRequest& request, const std::vector<PlacedNode>& bindables) const;
     ViewBox boxOf(const Node& node);
+    bool hasDrawableSize(const ShownNode& each);
+    ShownNodes drawableNodes(const std::optional<glm::dvec3>& eye);
     ViewBox boxOf(const ShownNodes& nodes, const glm::dmat4& matrix);
     glm::dmat4 eyeOf(const ViewRequest& request, const PlacedNode& viewpoint);
     void addHeadlight(const ViewRequest& request, const Node* viewpoint,
@@ -48,6 +66,7 @@ struct SceneView::Private
 
     Scene& scene;
     ViewMessages messages;
+    DoubtfulValues doubtful;
     VolumeNodes volumes;
     ShapeNodes shapes;
     ShownNodes shown;
@@ -67,6 +86,32 @@ ViewBox SceneView::Private::boxOf(const Node& node)
     return isOf(&node, "X3DVolumeDataNode") ? volumeBox(node) : shapes.boxOf(node);
 }
 
+/// Whether its box is one that numbers of single precision, and their squares, can hold.
+bool SceneView::Private::hasDrawableSize(const ShownNode& each)
+{
+    const ViewBox box = boxOf(*each.node);
+    if (box.isEmpty()) return true;
+    ViewBox world;
+    world.add(box, each.worldFromLocal);
+    const glm::dvec3 reach = glm::max(glm::abs(world.low), glm::abs(world.high));
+    const double farthest = std::max({reach.x, reach.y, reach.z});
+    const double size = glm::length(world.high - world.low);
+    if (farthest <= kMostReach && size >= kLeastSize) return true;
+    const bool isFar = !(farthest <= kMostReach);
+    messages.warn(*each.node, each.node->typeName() + " in its Transforms: expected " +
+                                  (isFar ? "coordinates in the world up to " + lengthText(kMostReach)
+                                         : "a size in the world from " + lengthText(kLeastSize) + " on") +
+                                  ", found " + lengthText(isFar ? farthest : size) + ": not drawn");
+    return false;
+}
+
+ShownNodes SceneView::Private::drawableNodes(const std::optional<glm::dvec3>& eye)
+{
+    ShownNodes found = shownNodes(scene, eye, messages);
+    std::erase_if(found.nodes, [&](const ShownNode& each) { return !hasDrawableSize(each); });
+    return found;
+}
+
 ViewBox SceneView::Private::boxOf(const ShownNodes& nodes, const glm::dmat4& matrix)
 {
     ViewBox box;
@@ -80,7 +125,7 @@ glm::dmat4 SceneView::Private::eyeOf(const ViewRequest& request, const PlacedNod
     if (request.camera) return request.camera->eyeFromWorld;
     const glm::dmat4 eyeFromWorld = eyeFromWorldOf(viewpoint);
     if (viewpoint.node && !boolOf(*viewpoint.node, "viewAll")) return eyeFromWorld;
-    const ViewBox world = boxOf(shownNodes(scene, {}, messages), glm::dmat4(1.0));
+    const ViewBox world = boxOf(drawableNodes({}), glm::dmat4(1.0));
     return eyeThatSeesAll(viewpoint, eyeFromWorld, world, request.width, request.height);
 }
 
@@ -129,7 +174,9 @@ void SceneView::Private::addShown(StyledScene& styled)
     }
 }
 
-SceneView::SceneView(Scene& scene) : d(std::make_unique<Private>(scene)) {}
+SceneView::SceneView(Scene& scene) : SceneView(scene, VoxelReading::whole) {}
+
+SceneView::SceneView(Scene& scene, VoxelReading reading) : d(std::make_unique<Private>(scene, reading)) {}
 
 SceneView::~SceneView() = default;
 
@@ -138,13 +185,14 @@ StyledScene SceneView::styledScene(const ViewRequest& request)
     ViewRequest asked = request;
     asked.width = std::max(asked.width, 1);
     asked.height = std::max(asked.height, 1);
+    d->doubtful.tell();
     const std::vector<PlacedNode> bindables = bindableNodes(d->scene);
     const PlacedNode viewpoint = d->viewpointOf(asked, bindables);
     StyledScene styled;
     styled.width = asked.width;
     styled.height = asked.height;
     styled.eyeFromWorld = d->eyeOf(asked, viewpoint);
-    d->shown = shownNodes(d->scene, glm::dvec3(glm::inverse(styled.eyeFromWorld)[3]), d->messages);
+    d->shown = d->drawableNodes(glm::dvec3(glm::inverse(styled.eyeFromWorld)[3]));
     const ViewBox eyeBox = d->boxOf(d->shown, styled.eyeFromWorld);
     styled.clipFromEye = asked.camera ? asked.camera->clipFromEye
                                       : clipFromEyeOf(viewpoint, eyeBox, asked.width, asked.height);
@@ -179,6 +227,19 @@ std::vector<const Node*> SceneView::viewpoints() const
     for (const PlacedNode& each : bindableNodes(d->scene))
         if (isOf(each.node, "X3DViewpointNode")) found.push_back(each.node);
     return found;
+}
+
+void checkView(Scene& scene)
+{
+    SceneView view(scene, VoxelReading::sizesAlone);
+    view.styledScene({});
+    std::set<const Node*> seen;
+    for (const ShownNode& shown : view.d->shown.nodes)
+        seen.insert(shown.node);
+    // Those that other levels, choices and times may show.
+    for (const auto& node : scene.nodes())
+        if (isOf(node.get(), "X3DVolumeDataNode") && !seen.contains(node.get()))
+            view.d->volumes.of({node.get(), glm::dmat4(1.0), {}, {}, {}});
 }
 
 } // namespace vo

@@ -2,6 +2,7 @@
 
 #include "style/styled_scene.h"
 #include "x3d/scene.h"
+#include "x3d/voxel_files.h"
 
 #include <map>
 #include <memory>
@@ -54,8 +55,14 @@ public:
     std::vector<const Node*> viewpoints() const;
 
 private:
+    friend void checkView(Scene& scene);
+    SceneView(Scene& scene, VoxelReading reading);
     struct Private;
     std::unique_ptr<Private> d;
 };
+
+/// Adds the messages that a picture of the scene would: on what is not drawn, values that make no sense, and
+/// limits. Of files of voxels only their sizes are looked at.
+void checkView(Scene& scene);
 
 } // namespace vo

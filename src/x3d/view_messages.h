@@ -2,9 +2,7 @@
 
 #include "x3d/scene.h"
 
-#include <set>
 #include <string>
-#include <utility>
 
 namespace vo {
 
@@ -14,14 +12,11 @@ class ViewMessages
 public:
     explicit ViewMessages(Scene& scene) : scene_(scene) {}
 
-    void warn(const Node& node, const std::string& text) { add(Severity::warning, node, text); }
-    void error(const Node& node, const std::string& text) { add(Severity::error, node, text); }
+    void warn(const Node& node, const std::string& text) { scene_.tell(Severity::warning, node, text); }
+    void error(const Node& node, const std::string& text) { scene_.tell(Severity::error, node, text); }
 
 private:
-    void add(Severity severity, const Node& node, const std::string& text);
-
     Scene& scene_;
-    std::set<std::pair<const Node*, std::string>> told_;
 };
 
 } // namespace vo

@@ -71,7 +71,7 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
     volume.unitLength = shortestEdge(volume);
     volume.spacing = planeSpacing(volume);
     light(shown, volume);
-    shadows_.add(volume, 0);
+    if (reading_ == VoxelReading::whole) shadows_.add(volume, 0);
     return volume;
 }
 
@@ -228,7 +228,7 @@ std::vector<float> VolumeNodes::surfaceValues(const Node& node, const VoxelTextu
     for (const float value : floatsOf(node, "surfaceValues"))
         surfaces.push_back({value, surfaces.size()});
     const double step = std::abs(static_cast<double>(floatOf(node, "contourStepSize")));
-    if (surfaces.size() == 1 && step > 0.0) {
+    if (surfaces.size() == 1 && step > 0.0 && reading_ == VoxelReading::whole) {
         const ValueRange range = rangeOf(voxels);
         const double first = surfaces[0].value;
         const double below = std::ceil((range.low - first) / step),

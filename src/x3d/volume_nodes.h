@@ -18,8 +18,10 @@ ViewBox volumeBox(const Node& node);
 class VolumeNodes
 {
 public:
-    VolumeNodes(const Scene& scene, ViewMessages& messages)
-        : messages_(messages), textures_(scene, messages), styles_(textures_, messages)
+    /// Where sizes alone are read, volumes are not for drawing: making them gives the messages.
+    VolumeNodes(const Scene& scene, ViewMessages& messages, VoxelReading reading)
+        : messages_(messages), reading_(reading), textures_(scene, messages, reading),
+          styles_(textures_, messages)
     {
     }
 
@@ -45,6 +47,7 @@ private:
     ValueRange rangeOf(const VoxelTexture& voxels);
 
     ViewMessages& messages_;
+    VoxelReading reading_;
     VoxelTextures textures_;
     VolumeStyles styles_;
     ShadowStore shadows_;

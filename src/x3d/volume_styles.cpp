@@ -86,7 +86,7 @@ void VolumeStyles::addMap(const Node* function, bool opaqueAtZero, const VoxelsT
                           DrawnStyle& drawn)
 {
     OpacityMap fields;
-    fields.transferFunction = textures_.of(function);
+    fields.transferFunction = textures_.tableOf(function);
     fields.opaqueAtZero = opaqueAtZero;
     fields.voxelComponents = voxels.texture.components;
     drawn.chain.push_back(makeStyle(std::move(fields)));
@@ -185,8 +185,8 @@ void VolumeStyles::addBlended(const Node& style, const VoxelsToDraw& voxels, Dra
     fields.weightFunction2 = weightFunction(stringOf(style, "weightFunction2"));
     fields.weightConstant1 = floatOf(style, "weightConstant1");
     fields.weightConstant2 = floatOf(style, "weightConstant2");
-    fields.weightTransferFunction1 = textures_.of(nodeOf(style, "weightTransferFunction1"));
-    fields.weightTransferFunction2 = textures_.of(nodeOf(style, "weightTransferFunction2"));
+    fields.weightTransferFunction1 = textures_.tableOf(nodeOf(style, "weightTransferFunction1"));
+    fields.weightTransferFunction2 = textures_.tableOf(nodeOf(style, "weightTransferFunction2"));
     drawn.chain.push_back(makeStyle(std::move(fields)));
 }
 

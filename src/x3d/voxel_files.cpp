@@ -37,69 +37,116 @@ void dropChannels(std::vector<std::byte>& bytes, std::size_t channels, std::size
     bytes.resize(texels * kept * bytesEach);
 }
 
+/// What numbers there are.
+struct NumberRange
+{
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    std::size_t finite = 0, infinite = 0, none = 0;
+};
+
 /// From numbers of one type to those of another of the same size, smallest to 0, largest to `full`. What is
-/// no number becomes 0.
+/// no number becomes 0, as the smallest, and infinite ones as the nearest that is finite.
 template <class From, class To>
-void scaleToRange(std::vector<std::byte>& bytes, double full)
+NumberRange scaleToRange(std::vector<std::byte>& bytes, double full)
 {
     const std::size_t count = bytes.size() / sizeof(From);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
+    NumberRange range;
     for (std::size_t i = 0; i < count; ++i) {
         const auto number = static_cast<double>(numberAt<From>(bytes, i));
+        ++(std::isfinite(number) ? range.finite : std::isnan(number) ? range.none : range.infinite);
         if (!std::isfinite(number)) continue;
-        low = std::min(low, number);
-        high = std::max(high, number);
+        range.low = std::min(range.low, number);
+        range.high = std::max(range.high, number);
     }
-    const double scale = high > low ? full / (high - low) : 0.0;
+    const double scale = range.high > range.low ? full / (range.high - range.low) : 0.0;
     const double half = std::is_integral_v<To> ? 0.5 : 0.0;
     for (std::size_t i = 0; i < count; ++i) {
         const auto number = static_cast<double>(numberAt<From>(bytes, i));
-        const double scaled = std::isfinite(number) ? (number - low) * scale : 0.0;
-        putNumber(bytes, i, static_cast<To>(scaled + half));
+        const double held = std::isnan(number) ? range.low : std::clamp(number, range.low, range.high);
+        putNumber(bytes, i, static_cast<To>((held - range.low) * scale + half));
     }
+    return range;
 }
 
-void toValues(VoxelTexture& texture, ChannelType type)
+NumberRange toValues(VoxelTexture& texture, ChannelType type)
 {
     switch (type) {
-    case ChannelType::uint8: break;
-    case ChannelType::uint16: texture.kind = TexelKind::uint16; break;
-    case ChannelType::int8: scaleToRange<std::int8_t, std::uint8_t>(texture.texels, 255.0); break;
-    case ChannelType::int16:
-        scaleToRange<std::int16_t, std::uint16_t>(texture.texels, 65535.0);
-        texture.kind = TexelKind::uint16;
-        break;
-    case ChannelType::float32:
-        scaleToRange<float, float>(texture.texels, 1.0);
-        texture.kind = TexelKind::float32;
+    case ChannelType::uint8:
+    case ChannelType::uint16: break;
+    case ChannelType::int8: return scaleToRange<std::int8_t, std::uint8_t>(texture.texels, 255.0);
+    case ChannelType::int16: return scaleToRange<std::int16_t, std::uint16_t>(texture.texels, 65535.0);
+    case ChannelType::float32: return scaleToRange<float, float>(texture.texels, 1.0);
     }
+    return {};
 }
 
+TexelKind kindOf(ChannelType type, TexelUse use)
+{
+    if (use == TexelUse::identifiers) return TexelKind::uint16;
+    switch (type) {
+    case ChannelType::uint8:
+    case ChannelType::int8: break;
+    case ChannelType::uint16:
+    case ChannelType::int16: return TexelKind::uint16;
+    case ChannelType::float32: return TexelKind::float32;
+    }
+    return TexelKind::uint8;
+}
+
+/// `fractions` counts those that were none.
 template <class From>
-std::vector<std::byte> wholeNumbers(const std::vector<std::byte>& bytes)
+std::vector<std::byte> wholeNumbers(const std::vector<std::byte>& bytes, std::size_t& fractions)
 {
     const std::size_t count = bytes.size() / sizeof(From);
     std::vector<std::byte> numbers(count * sizeof(std::uint16_t));
     for (std::size_t i = 0; i < count; ++i) {
-        const double number = std::round(static_cast<double>(numberAt<From>(bytes, i)));
+        const auto found = static_cast<double>(numberAt<From>(bytes, i));
+        const double number = std::round(found);
+        fractions += number != found ? 1 : 0; // also what is no number
         putNumber(numbers, i,
                   static_cast<std::uint16_t>(number >= 0.0 ? std::min(number, 65535.0) : 65535.0));
     }
     return numbers;
 }
 
-/// Numbers that no segment can have become the largest, which no style is for.
-void toIdentifiers(VoxelTexture& texture, ChannelType type)
+/// Numbers that no segment can have become the largest, which no style is for. The answer: how many were no
+/// whole numbers.
+std::size_t toIdentifiers(std::vector<std::byte>& texels, ChannelType type)
 {
-    auto& texels = texture.texels;
+    std::size_t fractions = 0;
     switch (type) {
-    case ChannelType::uint8: texels = wholeNumbers<std::uint8_t>(texels); break;
-    case ChannelType::int8: texels = wholeNumbers<std::int8_t>(texels); break;
+    case ChannelType::uint8: texels = wholeNumbers<std::uint8_t>(texels, fractions); break;
+    case ChannelType::int8: texels = wholeNumbers<std::int8_t>(texels, fractions); break;
     case ChannelType::uint16: break;
-    case ChannelType::int16: texels = wholeNumbers<std::int16_t>(texels); break;
-    case ChannelType::float32: texels = wholeNumbers<float>(texels);
+    case ChannelType::int16: texels = wholeNumbers<std::int16_t>(texels, fractions); break;
+    case ChannelType::float32: texels = wholeNumbers<float>(texels, fractions);
     }
-    texture.kind = TexelKind::uint16;
+    return fractions;
+}
+
+/// What the result says of numbers that are none, or infinite; no texture where there are no others.
+void tellOfNumbers(const NumberRange& range, const std::string& path, TextureResult& result)
+{
+    if (range.none + range.infinite == 0) return;
+    const std::string found = std::to_string(range.none) + " that are none (NaN) and " +
+                              std::to_string(range.infinite) + " infinite ones";
+    if (range.finite == 0)
+        result = {nullptr, path + ": expected numbers, found only " + found};
+    else
+        result.note = path + ": expected numbers, found " + found + " among " +
+                      std::to_string(range.finite + range.none + range.infinite) +
+                      ": NaN and -infinity count as the smallest, infinity as the largest";
+}
+
+void convert(TexelUse use, ChannelType type, const std::string& path, TextureResult& result)
+{
+    if (use == TexelUse::values) {
+        tellOfNumbers(toValues(*result.texture, type), path, result);
+        return;
+    }
+    if (const std::size_t fractions = toIdentifiers(result.texture->texels, type); fractions > 0)
+        result.note = path + ": expected whole numbers of segments, found " + std::to_string(fractions) +
+                      " others: rounded";
 }
 
 std::string sizeText(const std::array<std::int64_t, 3>& size)
@@ -107,7 +154,7 @@ std::string sizeText(const std::array<std::int64_t, 3>& size)
     return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
 }
 
-TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use)
+TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use, VoxelReading reading)
 {
     const VolumeInfo& info = file.info();
     const auto bytes = volumeBytes(info.size, info.bytesPerVoxel());
@@ -118,20 +165,20 @@ TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use
                              " bytes, half of the memory, found " + sizeText(info.size) + " voxels, " +
                              std::to_string(*bytes) + " bytes"};
     auto texture = std::make_shared<VoxelTexture>();
-    texture->texels.resize(static_cast<std::size_t>(*bytes));
-    if (const auto read = file.readBrick({{0, 0, 0}, info.size}, texture->texels); !read)
-        return {nullptr, read.failure().text};
     texture->size = {static_cast<int>(info.size[0]), static_cast<int>(info.size[1]),
                      static_cast<int>(info.size[2])};
     texture->components = file.description().alphaAdded ? 3 : info.channels;
+    texture->kind = kindOf(info.type, use);
+    TextureResult result{texture, ""};
+    if (reading == VoxelReading::sizesAlone) return result;
+    texture->texels.resize(static_cast<std::size_t>(*bytes));
+    if (const auto read = file.readBrick({{0, 0, 0}, info.size}, texture->texels); !read)
+        return {nullptr, read.failure().text};
     if (texture->components != info.channels)
         dropChannels(texture->texels, static_cast<std::size_t>(info.channels), 3,
                      static_cast<std::size_t>(bytesPerChannel(info.type)));
-    if (use == TexelUse::identifiers)
-        toIdentifiers(*texture, info.type);
-    else
-        toValues(*texture, info.type);
-    return {std::move(texture), ""};
+    convert(use, info.type, path, result);
+    return result;
 }
 
 } // namespace
@@ -143,12 +190,12 @@ std::uint64_t mostTextureBytes()
     return static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(bytes);
 }
 
-TextureResult readVoxelFile(const std::string& path, TexelUse use)
+TextureResult readVoxelFile(const std::string& path, TexelUse use, VoxelReading reading)
 {
     try {
         auto file = openVolume(path);
         if (!file) return {nullptr, file.failure().text};
-        return readOpened(*file, path, use);
+        return readOpened(*file, path, use, reading);
     } catch (const std::bad_alloc&) {
         return {nullptr, path + ": not enough memory for its voxels"};
     }

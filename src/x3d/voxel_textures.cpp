@@ -38,7 +38,7 @@ TextureResult arranged(const Node& node, const std::string& path, std::shared_pt
     if (!isAtlas && !isFlat(node)) return {std::move(read), ""};
     if (read->size.z != 1)
         return {nullptr, path + ": expected a picture, found " + std::to_string(read->size.z) + " slices"};
-    if (isFlat(node) || boolOf(node, "flipY")) turnRows(*read);
+    if ((isFlat(node) || boolOf(node, "flipY")) && !read->texels.empty()) turnRows(*read);
     if (!isAtlas) return {std::move(read), ""};
     TextureResult slices = atlasSlices(node, std::move(read));
     if (!slices.texture) slices.reason.insert(0, path + ": ");
@@ -49,6 +49,16 @@ TextureResult arranged(const Node& node, const std::string& path, std::shared_pt
 
 std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse use)
 {
+    return of(node, use, reading_);
+}
+
+std::shared_ptr<const VoxelTexture> VoxelTextures::tableOf(const Node* node)
+{
+    return of(node, TexelUse::values, VoxelReading::whole);
+}
+
+std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse use, VoxelReading reading)
+{
     if (!node) return nullptr;
     State state{{node, node->revision()}};
     for (const char* const field : {"textureProperties", "texture"})
@@ -57,10 +67,11 @@ std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse
             if (const Node* const properties = nodeOf(*below, "textureProperties"))
                 state.emplace_back(properties, properties->revision());
         }
-    Kept& kept = kept_[{node, use}];
+    Kept& kept = kept_[{node, use, reading}];
     if (kept.state == state) return kept.texture;
     kept.state = std::move(state);
-    TextureResult made = make(*node, use);
+    TextureResult made = make(*node, use, reading);
+    if (!made.note.empty()) messages_.warn(*node, node->typeName() + ": " + made.note);
     if (made.texture)
         applyProperties(*node, *made.texture);
     else
@@ -69,27 +80,33 @@ std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse
     return kept.texture;
 }
 
-TextureResult VoxelTextures::make(const Node& node, TexelUse use)
+TextureResult VoxelTextures::make(const Node& node, TexelUse use, VoxelReading reading)
 {
     try {
-        if (isOf(&node, "ComposedTexture3D")) return composed(node, use);
+        if (isOf(&node, "ComposedTexture3D")) return composed(node, use, reading);
         if (isOf(&node, "ImageTextureAtlas"))
             if (std::string wrong = atlasObjection(node); !wrong.empty()) return {nullptr, std::move(wrong)};
-        if (node.field("url")) return readUrls(node, use);
+        if (node.field("url")) return readUrls(node, use, reading);
         return pixelImage(node);
     } catch (const std::bad_alloc&) {
         return {nullptr, "not enough memory for its texels"};
     }
 }
 
-TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use)
+TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use, VoxelReading reading)
 {
+    // An atlas is cut from its pixels.
+    if (isOf(&node, "ImageTextureAtlas")) reading = VoxelReading::whole;
     std::string reasons;
     for (const std::string& url : stringsOf(node, "url")) {
         const auto place = scene_.locate(node, url);
         TextureResult read{nullptr, place.reason};
-        if (place.reason.empty()) read = readVoxelFile(place.path.string(), use);
-        if (read.texture) read = arranged(node, place.path.string(), std::move(read.texture));
+        if (place.reason.empty()) read = readVoxelFile(place.path.string(), use, reading);
+        if (read.texture) {
+            const std::string note = std::move(read.note);
+            read = arranged(node, place.path.string(), std::move(read.texture));
+            read.note = note;
+        }
         if (read.texture) return read;
         reasons += (reasons.empty() ? "" : "; ") + read.reason;
         if (reasons.size() > 400) break;
@@ -97,15 +114,15 @@ TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use)
     return {nullptr, reasons.empty() ? "expected a url, found none" : reasons};
 }
 
-TextureResult VoxelTextures::composed(const Node& node, TexelUse use)
+TextureResult VoxelTextures::composed(const Node& node, TexelUse use, VoxelReading reading)
 {
     auto whole = std::make_shared<VoxelTexture>();
     const auto& slices = nodesOf(node, "texture");
     if (slices.empty()) return {nullptr, "expected textures, found none"};
     for (const Node* const sliceNode : slices) {
-        const auto slice = of(sliceNode, use);
+        const auto slice = of(sliceNode, use, reading);
         if (!slice) return {nullptr, "a slice is missing"};
-        if (whole->texels.empty()) {
+        if (sliceNode == slices.front() && whole->texels.empty()) {
             whole->size = {slice->size.x, slice->size.y, static_cast<int>(slices.size())};
             whole->components = slice->components;
             whole->kind = slice->kind;

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -17,16 +18,22 @@ namespace vo {
 class VoxelTextures
 {
 public:
-    VoxelTextures(const Scene& scene, ViewMessages& messages) : scene_(scene), messages_(messages) {}
+    VoxelTextures(const Scene& scene, ViewMessages& messages, VoxelReading reading = VoxelReading::whole)
+        : scene_(scene), messages_(messages), reading_(reading)
+    {
+    }
 
     /// Nothing where there is none (a message says why), or for NULL.
     std::shared_ptr<const VoxelTexture> of(const Node* node, TexelUse use = TexelUse::values);
+    /// The same with all of its texels, however much of voxels is read.
+    std::shared_ptr<const VoxelTexture> tableOf(const Node* node);
 
     /// The first components of each texel alone.
     std::shared_ptr<const VoxelTexture> firstComponents(const std::shared_ptr<const VoxelTexture>& texture,
                                                         int count);
 
 private:
+    std::shared_ptr<const VoxelTexture> of(const Node* node, TexelUse use, VoxelReading reading);
     using State = std::vector<std::pair<const Node*, std::uint64_t>>;
     struct Kept
     {
@@ -34,14 +41,15 @@ private:
         std::shared_ptr<const VoxelTexture> texture;
     };
 
-    TextureResult make(const Node& node, TexelUse use);
-    TextureResult readUrls(const Node& node, TexelUse use);
-    TextureResult composed(const Node& node, TexelUse use);
+    TextureResult make(const Node& node, TexelUse use, VoxelReading reading);
+    TextureResult readUrls(const Node& node, TexelUse use, VoxelReading reading);
+    TextureResult composed(const Node& node, TexelUse use, VoxelReading reading);
     void applyProperties(const Node& node, VoxelTexture& texture);
 
     const Scene& scene_;
     ViewMessages& messages_;
-    std::map<std::pair<const Node*, TexelUse>, Kept> kept_;
+    VoxelReading reading_;
+    std::map<std::tuple<const Node*, TexelUse, VoxelReading>, Kept> kept_;
     std::map<std::pair<std::shared_ptr<const VoxelTexture>, int>, std::shared_ptr<const VoxelTexture>> parts_;
 };
 

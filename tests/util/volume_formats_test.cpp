@@ -364,6 +364,27 @@ TEST_F(VolumeFormats, nrrdOfEveryTypeEncodingAndByteOrderIsRead)
         }
 }
 
+TEST_F(VolumeFormats, nrrdSizesAreWholeAndAboveNothing)
+{
+    const std::pair<const char*, const char*> wrong[] = {
+        {"sizes: -4 5 3", "expected whole numbers from 1 on, found \"-4\""},
+        {"sizes: 4 0 3", "expected whole numbers from 1 on, found \"0\""},
+        {"sizes: 4.5 5 3", "expected whole numbers from 1 on, found \"4.5\""},
+        {"sizes: four 5 3", "expected whole numbers from 1 on, found \"four\""},
+        {"Sizes:\t4 5 99999999999999999999",
+         "expected whole numbers from 1 on, found \"99999999999999999999\""},
+        {"sizes: 4000000000 4000000000 4000000000",
+         "expected fewer than 2^63 numbers in all, found \"4000000000 4000000000 4000000000\""},
+    };
+    for (const auto& [sizes, said] : wrong)
+        expectSays(failureOfReading(file("a.nrrd", std::string("NRRD0004\n# sizes: -1\ntype: uchar\n"
+                                                               "dimension: 3\n") +
+                                                       sizes + "\nencoding: raw\n\n" + std::string(60, '0'))),
+                   {"a.nrrd:5: sizes: ", said});
+    expectSays(failureOfReading(file("a.nrrd", "NRRD0004\ntype: uchar\ndimension: 3\nencoding: raw\n\n0")),
+               {"a.nrrd: expected a line \"sizes: ...\" in the NRRD header, found none"});
+}
+
 TEST_F(VolumeFormats, nrrdTextIsRead)
 {
     std::string text;
@@ -504,7 +525,7 @@ TEST_F(VolumeFormats, badNrrdHeadersAreTold)
     fails("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 16384 16384 4096\nencoding: ascii\n\nabc",
           {"which cannot hold them"});
     fails("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 99999999999 99999999999 4096\nencoding: raw\n\nabc",
-          {"a.nrrd: expected"});
+          {"a.nrrd:4: sizes: expected"});
     fails("NRRD0004\ntype: uchar\ndimension: 5\nsizes: 1 1 1 1 1\nencoding: raw\n\nabc",
           {"a.nrrd: expected 1 to 4 dimensions, found 5"});
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <sstream>
 
 #include "run_program.h"
@@ -39,16 +40,25 @@ protected:
 
 TEST_F(Vox3d, checkListsWhatIsWrongWithItsLine)
 {
-    const std::string good = scene("good.x3d", "<VolumeData/>");
+    const std::string good = scene("good.x3d", "<Group/>");
     const ProgramRun fine = vox3d("-check " + good);
     EXPECT_EQ(fine.status, 0);
     EXPECT_EQ(fine.output, good + ": nothing is unsupported or wrong\n");
-    const std::string bad = scene("bad.x3d", "<Teapot/>\n<VolumeData dimensions='1 1'/>");
+    const std::string bad =
+        scene("bad.x3d", "<Teapot/>\n<Transform scale='1 1'/>\n<ClipPlane plane='0 0 0 -1'/>");
     const ProgramRun wrong = vox3d(bad + " -check");
     EXPECT_EQ(wrong.status, 1);
-    EXPECT_EQ(wrong.output, bad + ":2: warning: unknown node \"Teapot\" skipped\n" + bad +
-                                ":3: error: VolumeData.dimensions: expected 3 values, found 2\n" +
-                                "vox3d: " + bad + ": 1 error, 1 warning\n");
+    EXPECT_EQ(wrong.output,
+              bad + ":2: warning: unknown node \"Teapot\" skipped\n" + bad +
+                  ":3: error: Transform.scale: expected 3 values, found 2\n" + bad +
+                  ":4: warning: ClipPlane.plane: expected a normal other than 0 0 0, found 0 0 0 -1: "
+                  "cuts all away\n" +
+                  "vox3d: " + bad + ": 1 error, 2 warnings\n");
+    // What a check has told a picture does not tell again.
+    const ProgramRun both =
+        vox3d("-check -engine cast " + scene("plane.x3d", "<ClipPlane plane='0 0 0 -1'/>") + " -save " +
+              (folder / "saved.x3d"));
+    EXPECT_EQ(both.output.find("warning"), both.output.rfind("warning: ")) << both.output;
     const ProgramRun none = vox3d("-check " + write("none.x3d", "<X3D"));
     EXPECT_EQ(none.status, 1);
     EXPECT_NE(none.output.find("none.x3d:1: error: expected XML"), std::string::npos) << none.output;
@@ -121,6 +131,16 @@ protected:
         const auto read = readPng(folder / name);
         EXPECT_TRUE(read) << name;
         return read ? *read : Picture();
+    }
+    std::string floats(const std::string& name, const std::string& sizes, const std::vector<float>& numbers,
+                       const std::string& more = "")
+    {
+        std::ofstream file(folder / name, std::ios::binary);
+        file << "NRRD0004\ntype: float\ndimension: 3\nsizes: " << sizes << "\nendian: little\nencoding: raw\n"
+             << more << "\n";
+        file.write(reinterpret_cast<const char*>(numbers.data()),
+                   static_cast<std::streamsize>(numbers.size() * sizeof(float)));
+        return folder / name;
     }
     /// A ball in a volume of values from 0 to 200.
     std::string ball()
@@ -289,6 +309,63 @@ TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 
+TEST_F(Vox3dPicture, labelsAreWholeNumbers)
+{
+    const std::string labels = floats("labels.nrrd", "24 20 16", std::vector<float>(24 * 20 * 16, 1.5f));
+    const ProgramRun run = vox3d(ball() + " -labels " + labels + " -output " + (folder / "no.png"));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.output,
+              "vox3d: " + labels +
+                  ": expected whole numbers of segments, found 1.5 and 7679 more that are none\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
+    const std::string whole = floats("whole.nrrd", "24 20 16", std::vector<float>(24 * 20 * 16, 2));
+    EXPECT_EQ(vox3d(ball() + " -size 8 8 -labels " + whole + " -output " + (folder / "yes.png")).output, "");
+}
+
+TEST_F(Vox3dPicture, valuesThatAreNoNumbersAreToldOf)
+{
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const std::string none = floats("none.nrrd", "2 1 2", {kNan, kNan, kInfinity, kNan});
+    const std::string to = " -size 8 8 -output " + (folder / "a.png");
+    const ProgramRun nothing = vox3d(none + to);
+    EXPECT_EQ(nothing.status, 1);
+    EXPECT_EQ(nothing.output,
+              "vox3d: " + none +
+                  ": expected numbers, found only 3 that are none (NaN) and 1 infinite ones\n");
+    const std::string some = floats("some.nrrd", "2 1 2", {1, kNan, -kInfinity, 3});
+    const ProgramRun drawn = vox3d(some + to);
+    EXPECT_EQ(drawn.status, 0);
+    EXPECT_EQ(drawn.output,
+              "warning: ImageTexture3D: " + some +
+                  ": expected numbers, found 1 that are none (NaN) and 1 infinite ones among 4: NaN "
+                  "and -infinity count as the smallest, infinity as the largest\n");
+}
+
+TEST_F(Vox3dPicture, spacingsThatNoSceneHasBecomeOne)
+{
+    const std::string path = floats("far.nrrd", "2 1 2", {1, 2, 3, 4}, "spacings: 1e300 1 1\n");
+    const ProgramRun run = vox3d(path + " -size 8 8 -output " + (folder / "a.png"));
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.output,
+              "vox3d: " + path +
+                  ": expected edges from 1e-15 to 1e15 long, found voxels 1e+300 apart: taken as 1\n");
+}
+
+TEST_F(Vox3dPicture, wrongOptionsSayWhatTheSceneHas)
+{
+    const std::string path = scene("cube.x3d", cube("0xff000080")), none = scene("none.x3d", "<Group/>");
+    const std::string to = " -output " + (folder / "a.png");
+    EXPECT_EQ(vox3d(path + " -viewpoint nix" + to).output,
+              "vox3d: option -viewpoint: expected a viewpoint of " + path +
+                  ": 1 (Front, The front), 2 (Near); found \"nix\"\n");
+    EXPECT_EQ(vox3d(none + " -viewpoint nix" + to).output, "vox3d: option -viewpoint: expected none, since " +
+                                                               none + " has no viewpoints; found \"nix\"\n");
+    EXPECT_EQ(vox3d(path + " -time 1e300" + to).output,
+              "vox3d: option -time: expected a time from -1e12 to 1e12 seconds, found \"1e300\"\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
 TEST_F(Vox3dPicture, aLongPictureEndsWhenItIsToldTo)
 {
     std::string nodes = "<Group DEF='G0'>" + cube("0xff000001") + "</Group>";
@@ -329,7 +406,7 @@ TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
     refused(good + " -size 10 5.5" + out, "option -size: expected a height from 1 to 32768, found \"5.5\"");
     refused(good + " -size 10", "option -size: expected a height from 1 to 32768, found the end");
     refused(good + " -output a.jpg", "option -output: expected a file name that ends in .png");
-    refused(good + " -viewpoint Back" + out, "the scene has no viewpoint \"Back\"");
+    refused(good + " -viewpoint Back" + out, "found \"Back\"");
     refused(good + " -frames 3", "option -frames: expected -output FILE.png beside it");
     refused(good + " -frames 3 -output f%s.png", "expected a name with a %d");
     refused(good + " -engine ray" + out, "option -engine: expected slices or cast, found \"ray\"");

@@ -208,6 +208,40 @@ TEST(VolumeNodes, filesOfOtherTypesAreScaledByTheirRange)
     EXPECT_EQ(texelsOf<float>(*same.drawn.volumes.at(0).voxels), (std::vector<float>{0, 0}));
 }
 
+TEST(VolumeNodes, numbersThatAreNoneAreToldOf)
+{
+    const ScratchFolder folder;
+    const float nan = std::nanf(""), infinity = std::numeric_limits<float>::infinity();
+    writeNrrd<float>(folder / "v.nrrd", "float", "6 1 1", {-2, nan, infinity, -infinity, 6, nan});
+    const ViewedScene some(kFileVolume, "4.0", folder / "");
+    EXPECT_EQ(texelsOf<float>(*some.drawn.volumes.at(0).voxels), (std::vector<float>{0, 0, 1, 0, 1, 0}));
+    EXPECT_EQ(some.messages(),
+              "s.x3d:3: warning: ImageTexture3D: " + (folder / "v.nrrd") +
+                  ": expected numbers, found 2 that are none (NaN) and 2 infinite ones among 6: "
+                  "NaN and -infinity count as the smallest, infinity as the largest\n");
+    writeNrrd<float>(folder / "v.nrrd", "float", "2 1 1", {nan, infinity});
+    const ViewedScene none(kFileVolume, "4.0", folder / "");
+    EXPECT_TRUE(none.drawn.volumes.empty());
+    EXPECT_EQ(none.messages(),
+              "s.x3d:3: error: ImageTexture3D: " + (folder / "v.nrrd") +
+                  ": expected numbers, found only 1 that are none (NaN) and 1 infinite ones\n");
+}
+
+TEST(VolumeNodes, numbersOfSegmentsThatAreNoneAreToldOf)
+{
+    const ScratchFolder folder;
+    writeNrrd<float>(folder / "v.nrrd", "float", "4 1 1", {0, 1.25f, 2, 2.75f});
+    const ViewedScene s(
+        "<SegmentedVolumeData><PixelTexture3D containerField='voxels' image='1 4 1 1 1 2 3 4'/>"
+        "<ImageTexture3D containerField='segmentIdentifiers' url='\"v.nrrd\"'/>"
+        "</SegmentedVolumeData>",
+        "4.0", folder / "");
+    EXPECT_EQ(texelsOf<std::uint16_t>(*s.drawn.volumes.at(0).segments->identifiers),
+              (std::vector<std::uint16_t>{0, 1, 2, 3}));
+    EXPECT_EQ(s.messages(), "s.x3d:2: warning: ImageTexture3D: " + (folder / "v.nrrd") +
+                                ": expected whole numbers of segments, found 2 others: rounded\n");
+}
+
 TEST(VolumeNodes, threeChannelsOfAFileStayThree)
 {
     const ScratchFolder folder;

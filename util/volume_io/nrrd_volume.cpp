@@ -1,9 +1,11 @@
 #include "volume_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <teem/nrrd.h>
 
@@ -23,6 +25,7 @@ struct HeaderText
     std::string lines;
     std::int64_t length = 0; // up to the voxels behind the empty line
     bool isAttached = false; // there is an empty line
+    bool hasSizes = false;
     std::vector<std::string> files;
 };
 
@@ -33,15 +36,39 @@ std::string trimmed(const std::string& text)
     return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Whether `line` is the field `data file: ...`; then its value.
-std::optional<std::string> dataFileField(const std::string& line)
+/// A line `NAME: ...`, its name in small letters; "" for any other.
+struct HeaderField
+{
+    std::string name, value;
+
+    bool isDataFile() const { return name == "data file" || name == "datafile"; }
+};
+
+HeaderField fieldOf(const std::string& line)
 {
     const auto colon = line.find(':');
-    if (colon == std::string::npos || line.compare(colon, 2, ":=") == 0) return std::nullopt;
+    if (line.starts_with('#') || colon == std::string::npos || line.compare(colon, 2, ":=") == 0) return {};
     std::string name = trimmed(line.substr(0, colon));
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    if (name != "data file" && name != "datafile") return std::nullopt;
-    return trimmed(line.substr(colon + 1));
+    return {name, trimmed(line.substr(colon + 1))};
+}
+
+/// teem takes a size that is no whole number for one of 0, or for the whole part of it.
+Result<void> checkSizes(const std::string& path, int line, const std::string& field)
+{
+    const std::string place = path + ":" + std::to_string(line) + ": sizes: expected ";
+    std::istringstream words(field);
+    std::int64_t all = 1;
+    for (std::string word; words >> word;) {
+        std::int64_t size = 0;
+        const char* const end = word.data() + word.size();
+        const auto parsed = std::from_chars(word.data(), end, size);
+        if (parsed.ec != std::errc() || parsed.ptr != end || size < 1)
+            return Failure{place + "whole numbers from 1 on, found \"" + printable(word, 40) + "\""};
+        if (__builtin_mul_overflow(all, size, &all))
+            return Failure{place + "fewer than 2^63 numbers in all, found \"" + printable(field, 80) + "\""};
+    }
+    return {};
 }
 
 Result<HeaderText> readHeaderText(const InputFile& file)
@@ -50,7 +77,9 @@ Result<HeaderText> readHeaderText(const InputFile& file)
     if (auto read = file.readAt(0, std::as_writable_bytes(std::span(text))); !read) return read.failure();
     HeaderText header;
     bool isList = false;
+    int number = 0;
     for (std::size_t at = 0; at < text.size();) {
+        ++number;
         const auto end = text.find('\n', at);
         if (end == std::string::npos && file.size() > kLongestHeader)
             return Failure{file.path() + ": expected an empty line after a NRRD header of at most " +
@@ -66,14 +95,17 @@ Result<HeaderText> readHeaderText(const InputFile& file)
             header.length = static_cast<std::int64_t>(at);
             break;
         }
-        const auto field = dataFileField(line);
-        if (!field) {
+        const HeaderField field = fieldOf(line);
+        header.hasSizes = header.hasSizes || field.name == "sizes";
+        if (field.name == "sizes")
+            if (auto fit = checkSizes(file.path(), number, field.value); !fit) return fit.failure();
+        if (!field.isDataFile()) {
             header.lines += line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
             header.lines += '\n';
-        } else if (field->starts_with("LIST")) {
+        } else if (field.value.starts_with("LIST")) {
             isList = true;
         } else {
-            auto files = namedFiles(file.path(), *field);
+            auto files = namedFiles(file.path(), field.value);
             if (!files) return files.failure();
             header.files = std::move(*files);
         }
@@ -112,6 +144,8 @@ Result<Parsed> parse(const std::string& path, const HeaderText& header)
     if (!hasKnownMagic(header.lines))
         return Failure{path + ": expected a first line from NRRD0001 to NRRD0005, found \"" +
                        printable(header.lines.substr(0, header.lines.find('\n')), 12) + "\""};
+    if (!header.hasSizes)
+        return Failure{path + ": expected a line \"sizes: ...\" in the NRRD header, found none"};
     static std::mutex one;
     const std::lock_guard guard(one);
     Parsed parsed{std::unique_ptr<Nrrd, FreeNrrd>(nrrdNew()),
@@ -129,6 +163,7 @@ Result<Parsed> parse(const std::string& path, const HeaderText& header)
             why.pop_back();
         why = why.substr(why.rfind('\n') + 1);
         if (why.starts_with("[nrrd] ")) why.erase(0, 7);
+        if (why.starts_with("_nrrd") && why.find(": ") != std::string::npos) why.erase(0, why.find(": ") + 2);
         why = printable(why, 160);
     }
     return Failure{path + ": expected a NRRD header, found one that cannot be read: " + why};

@@ -33,7 +33,8 @@ public:
     voBool isError(int index) const;
     int getErrorCount() const;
     int getLeftOutMessageCount() const;
-    /** Adds messages on what the scene needs and does not have: files that urls name, slice atlases that can be cut,
+    /** Adds messages on all that a picture would tell of, but for what voxels alone show: what is not drawn, values that
+        make no sense, limits. And on what the scene needs and does not have: files that urls name, slice atlases that can be cut,
         components that its profile does not bring. */
     void check();
 
