@@ -55,7 +55,7 @@ class TileCaster
 public:
     TileCaster(const StyledScene& scene, const SceneRays& rays, const CastSurfaces& surfaces,
                const CastPoints& points, const std::vector<CastVolume>& volumes)
-        : scene_(scene), rays_(rays), surfaces_(surfaces), points_(points)
+        : rays_(rays), sky_(scene.background, rays.worldFromEye()), surfaces_(surfaces), points_(points)
     {
         streams_.reserve(volumes.size());
         for (const CastVolume& volume : volumes)
@@ -94,8 +94,7 @@ private:
         while (!pixel.done() && addNearest(pixel)) {
         }
         if (opaque.color.a > 0.0f) pixel.add(opaque.color, opaque.depth);
-        const glm::vec4 behind =
-            skyColor(scene_.background, glm::dmat3(rays_.worldFromEye()) * ray.direction);
+        const glm::vec4 behind = sky_.at(ray.direction);
         pixel.color += glm::vec3(behind) * pixel.through;
         pixel.through *= 1.0f - behind.a;
         return pixel;
@@ -175,8 +174,8 @@ private:
         picture.depth[index] = static_cast<float>(pixel.depth);
     }
 
-    const StyledScene& scene_;
     const SceneRays& rays_;
+    Sky sky_;
     const CastSurfaces& surfaces_;
     const CastPoints& points_;
     SurfaceTile surfaceTile_;
@@ -185,15 +184,6 @@ private:
     std::vector<Stream> streams_;
     std::vector<Stream*> active_;
 };
-
-std::vector<PictureTile> tilesOf(int width, int height)
-{
-    std::vector<PictureTile> tiles;
-    for (int y = 0; y < height; y += kTileEdge)
-        for (int x = 0; x < width; x += kTileEdge)
-            tiles.push_back({x, y, std::min(kTileEdge, width - x), std::min(kTileEdge, height - y)});
-    return tiles;
-}
 
 void clear(const StyledScene& scene, ScenePicture& picture)
 {
@@ -212,14 +202,16 @@ struct SceneCaster::Private
 {
     std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> voxels; ///< by serial
 
-    std::vector<CastVolume> volumesOf(const StyledScene& scene, const SceneRays& rays, int threads)
+    std::vector<CastVolume> volumesOf(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid,
+                                      int threads)
     {
         std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> used;
         std::vector<CastVolume> volumes;
         for (const StyledVolume& styled : scene.volumes) {
             if (!isCast(styled)) continue;
             volumes.emplace_back(styled, rays);
-            if (volumes.back().tetras) volumes.back().tetras->sortIntoTiles(scene, kTileEdge);
+            if (styled.tetras)
+                volumes.back().tetras.emplace(scene, *styled.tetras, volumes.back().localFromEye, grid);
             const std::uint64_t serial = styled.voxels->serial;
             auto& kept = used[serial];
             if (!kept && voxels.contains(serial)) kept = voxels[serial];
@@ -240,12 +232,12 @@ void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& pict
     clear(scene, picture);
     const std::optional<SceneRays> rays = SceneRays::of(scene);
     if (!rays) return;
-    const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, threads);
-    const CastSurfaces surfaces(scene, *rays, kTileEdge);
-    const CastPoints points(scene, *rays, kTileEdge, threads);
-    const std::vector<PictureTile> tiles = tilesOf(scene.width, scene.height);
-    parallelFor(tiles.size(), threads, [&](std::size_t i) {
-        TileCaster(scene, *rays, surfaces, points, volumes).cast(tiles[i], picture);
+    const TileGrid grid(scene.width, scene.height, kTileEdge);
+    const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, grid, threads);
+    const CastSurfaces surfaces(scene, *rays, grid);
+    const CastPoints points(scene, *rays, grid, threads);
+    parallelFor(grid.count(), threads, [&](std::size_t i) {
+        TileCaster(scene, *rays, surfaces, points, volumes).cast(grid.tile(i), picture);
     });
 }
 

@@ -45,13 +45,11 @@ struct CastVolume
     /// Finds what is clear, once the voxels are there.
     void findClear();
 
-    /// `voxels` is left to the caller. Borrows both.
+    /// `voxels` and `tetras` are left to the caller. Borrows both.
     CastVolume(const StyledVolume& styled, const SceneRays& rays);
 
     /// Reads the components of the first `count` voxels.
     void read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const;
-    /// The chain of the segment at a place, below 0 for none: 0 without segments.
-    int chainAt(const glm::vec3& place) const;
 };
 
 /// False for volumes whose numbers make no sense, and for what rays do not draw (stipples).

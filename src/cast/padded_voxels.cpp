@@ -33,19 +33,6 @@ T texelNumber(const std::byte* texels, std::size_t index)
 
 } // namespace
 
-bool isUsable(const VoxelTexture& texture)
-{
-    if (texture.components < 1 || texture.components > 4) return false;
-    std::uint64_t count = static_cast<std::uint64_t>(texture.components) * bytesOf(texture.kind);
-    for (const int axis : {0, 1, 2}) {
-        if (texture.size[axis] < 1) return false;
-        const auto size = static_cast<std::uint64_t>(texture.size[axis]);
-        if (count > std::numeric_limits<std::uint64_t>::max() / size) return false;
-        count *= size;
-    }
-    return texture.texels.size() >= count;
-}
-
 PaddedVoxels::PaddedVoxels(const VoxelTexture& texture, int threads)
 {
     grid_.size = texture.size;

@@ -69,7 +69,4 @@ private:
     VoxelBlocks blocks_;
 };
 
-/// True if the texture has all the texels it says, one to four components each.
-bool isUsable(const VoxelTexture& texture);
-
 } // namespace vo

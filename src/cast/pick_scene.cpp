@@ -2,8 +2,9 @@
 
 #include "cast/ray_projection.h"
 #include "cast/scene_rays.h"
-#include "core/invertible.h"
 #include "style/stipple_points.h"
+#include "style/styled_voxels.h"
+#include "style/tetra_corners.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 namespace vo {
@@ -62,27 +62,22 @@ CellSpan boxSpan(const StyledVolume& volume, const DepthRay& local, DepthRange d
     return span;
 }
 
-/// Nothing for tetrahedra without a volume.
+/// Nothing for tetrahedra that are flat or name corners that are not there.
 std::optional<CellSpan> tetraSpan(const StyledTetras& tetras, std::size_t tetra, const DepthRay& local,
                                   DepthRange depths)
 {
-    std::array<glm::dvec3, 4> p, q;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto vertex = static_cast<std::size_t>(tetras.indices[4 * tetra + i]);
-        p[i] = tetras.positions.at(vertex);
-        q[i] = tetras.places.at(vertex);
-    }
-    const glm::dmat3 edges(p[1] - p[0], p[2] - p[0], p[3] - p[0]);
-    if (!(std::abs(glm::determinant(edges)) > 0)) return {};
-    const glm::dmat3 parts = glm::inverse(edges);
-    const glm::dmat3 map = glm::dmat3(q[1] - q[0], q[2] - q[0], q[3] - q[0]) * parts;
-    CellSpan span{depths, {q[0] + map * (local.origin - p[0]), map * local.direction}, map, {}};
+    const std::optional<TetraCorners> corners = cornersOf(tetras, tetra);
+    const std::optional<glm::dmat4> place = corners ? corners->placeFromLocal() : std::nullopt;
+    if (!place) return {};
+    CellSpan span{depths, transformed(*place, local), glm::dmat3(*place), {}};
+    const glm::dvec3& first = corners->positions[0];
+    const glm::dmat3 parts = glm::inverse(corners->edges());
     const glm::dmat3 rows = glm::transpose(parts);
     const glm::dvec3 sum = rows[0] + rows[1] + rows[2];
     for (int face = 0; face < 4; ++face) {
         const glm::dvec3 normal = face < 3 ? rows[face] : -sum;
         const double rest = face < 3 ? 0.0 : 1.0;
-        cutAtPlane(span, local, {normal, rest - glm::dot(normal, p[0])});
+        cutAtPlane(span, local, {normal, rest - glm::dot(normal, first)});
     }
     return span;
 }
@@ -111,21 +106,6 @@ std::vector<CellSpan> spansOf(const StyledVolume& volume, const DepthRay& world,
         if (const auto span = tetraSpan(*volume.tetras, tetra, local, depths)) add(*span);
     std::ranges::sort(spans, {}, [](const CellSpan& span) { return span.depths.begin; });
     return spans;
-}
-
-float storedNumber(const VoxelTexture& texture, std::size_t index)
-{
-    const std::byte* const at = texture.texels.data() + index * bytesOf(texture.kind);
-    const auto read = [at](auto number) {
-        std::memcpy(&number, at, sizeof number);
-        return static_cast<float>(number);
-    };
-    switch (texture.kind) {
-    case TexelKind::uint8: return read(std::uint8_t()) / 255.0f;
-    case TexelKind::uint16: return read(std::uint16_t()) / 65535.0f;
-    case TexelKind::float32: break;
-    }
-    return read(0.0f);
 }
 
 /// Samples one volume at single places.
@@ -169,7 +149,7 @@ public:
     float opacity()
     {
         const int chain = chainHere();
-        if (chain < 0 || static_cast<std::size_t>(chain) >= volume_.chains.size()) return 0;
+        if (chain < 0) return 0;
         firstColor(volume_.voxels->components, batch_);
         for (const auto& style : volume_.chains[static_cast<std::size_t>(chain)])
             style->apply(volume_.surroundings, batch_);
@@ -181,7 +161,7 @@ public:
     {
         const float styled = opacity();
         const int chain = chainHere();
-        if (chain < 0 || static_cast<std::size_t>(chain) >= volume_.chains.size()) return {};
+        if (chain < 0) return {};
         if (!volume_.chains[static_cast<std::size_t>(chain)].empty()) return styled;
         const int components = volume_.voxels->components;
         return components % 2 != 0 ? 1.0f : batch_.voxel[static_cast<std::size_t>(components) - 1][0];
@@ -189,6 +169,11 @@ public:
     float intensity() const { return (batch_.Cv[0][0] + batch_.Cv[1][0] + batch_.Cv[2][0]) / 3; }
 
 private:
+    int chainHere() const
+    {
+        return chainAt(volume_, {batch_.place[0][0], batch_.place[1][0], batch_.place[2][0]});
+    }
+
     float brightness(std::size_t i) const
     {
         if (volume_.voxels->components < 3) return batch_.voxel[0][i];
@@ -202,24 +187,6 @@ private:
         for (int axis = 0; axis < 3; ++axis)
             batch_.n[std::size_t(axis)][0] =
                 length < double(kLeastGradient) ? 0.0f : static_cast<float>(-change[axis] / length);
-    }
-
-    int chainHere() const
-    {
-        if (!volume_.segments) return 0;
-        const Segments& segments = *volume_.segments;
-        const VoxelTexture& ids = *segments.identifiers;
-        const std::array<int, 3> sizes{ids.size.x, ids.size.y, ids.size.z};
-        std::size_t texel = 0;
-        for (std::size_t axis = 3; axis-- > 0;) {
-            const double place = double(batch_.place[axis][0]) * sizes[axis];
-            const int at = std::clamp(static_cast<int>(std::floor(place)), 0, sizes[axis] - 1);
-            texel = texel * std::size_t(sizes[axis]) + std::size_t(at);
-        }
-        const float id = segments.scale * storedNumber(ids, texel * std::size_t(ids.components) +
-                                                                std::size_t(segments.component));
-        const auto number = static_cast<std::size_t>(std::max(std::lround(id), 0L));
-        return number < segments.chainOf.size() ? segments.chainOf[number] : segments.beyond;
     }
 
     const StyledVolume& volume_;
@@ -240,7 +207,7 @@ public:
 
     void look(const StyledSurface& surface)
     {
-        if (!isInvertible(surface.worldFromLocal)) return;
+        if (!isSound(surface)) return;
         const DepthRay local = transformed(glm::inverse(surface.worldFromLocal), world_);
         for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3)
             lookAtTriangle(surface, local, &surface.triangles[i]);
@@ -249,8 +216,7 @@ public:
     /// After all surfaces.
     void look(const StyledScene& scene, const StyledVolume& volume, float threshold)
     {
-        if (!volume.voxels || volume.voxels->texels.empty() || !isInvertible(volume.worldFromLocal)) return;
-        if (!(volume.spacing > 0) || !std::isfinite(volume.spacing)) return;
+        if (!isSound(volume)) return;
         const DepthRay local = transformed(glm::inverse(volume.worldFromLocal), world_);
         if (threshold >= 0 && volume.stipple) {
             lookForStipple(scene, volume, threshold);
@@ -404,7 +370,7 @@ private:
     void lookAtTriangle(const StyledSurface& surface, const DepthRay& local, const int* corners)
     {
         const auto corner = [&](int i) {
-            return glm::dvec3(surface.positions.at(static_cast<std::size_t>(corners[i])));
+            return glm::dvec3(surface.positions[static_cast<std::size_t>(corners[i])]);
         };
         const glm::dvec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
         const glm::dvec3 normal = glm::cross(ab, ac);

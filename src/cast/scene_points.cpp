@@ -2,13 +2,10 @@
 
 #include "style/stipple_points.h"
 
-#include <algorithm>
-
 namespace vo {
 
-CastPoints::CastPoints(const StyledScene& scene, const SceneRays& rays, int tileEdge, int threads)
-    : scene_(scene), depths_(rays.depths()), tileEdge_(tileEdge),
-      tilesAcross_((scene.width + tileEdge - 1) / tileEdge)
+CastPoints::CastPoints(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid, int threads)
+    : scene_(scene), depths_(rays.depths()), grid_(grid)
 {
     for (const StyledVolume& volume : scene.volumes)
         if (volume.stipple) add(volume, threads);
@@ -16,23 +13,18 @@ CastPoints::CastPoints(const StyledScene& scene, const SceneRays& rays, int tile
 
 void CastPoints::add(const StyledVolume& volume, int threads)
 {
-    const int tilesUp = (scene_.height + tileEdge_ - 1) / tileEdge_;
-    tiles_.resize(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesUp));
+    tiles_.resize(grid_.count());
     const glm::dmat4 eyeFromLocal = scene_.eyeFromWorld * volume.worldFromLocal;
     for (const StipplePoint& point : stipplePoints(scene_, volume, threads)) {
         const glm::dvec4 eye = eyeFromLocal * glm::dvec4(point.position, 1.0);
-        const glm::dvec4 clip = scene_.clipFromEye * eye;
-        if (!(clip.w > 0.0) || !(-eye.z >= depths_.begin && -eye.z <= depths_.end)) continue;
-        const double left = (clip.x / clip.w + 1.0) * 0.5 * scene_.width;
-        const double low = (clip.y / clip.w + 1.0) * 0.5 * scene_.height;
+        const glm::dvec3 window = windowOf(scene_, eye);
+        if (!(window.z > 0.0) || !(-eye.z >= depths_.begin && -eye.z <= depths_.end)) continue;
+        const double left = window.x / window.z, low = window.y / window.z;
         if (!(left >= 0.0 && left < scene_.width && low >= 0.0 && low < scene_.height)) continue;
         const int x = static_cast<int>(left), y = static_cast<int>(low);
-        const int tileX = x / tileEdge_, tileY = y / tileEdge_;
-        const int width = std::min(tileEdge_, scene_.width - tileX * tileEdge_);
-        const int pixel = (y - tileY * tileEdge_) * width + x - tileX * tileEdge_;
-        tiles_[static_cast<std::size_t>(tileY) * static_cast<std::size_t>(tilesAcross_) +
-               static_cast<std::size_t>(tileX)]
-            .push_back({static_cast<float>(-eye.z), static_cast<std::uint32_t>(pixel), point.color});
+        const std::size_t tile = grid_.numberAt(x, y);
+        tiles_[tile].push_back({static_cast<float>(-eye.z),
+                                static_cast<std::uint32_t>(grid_.tile(tile).pixelAt(x, y)), point.color});
     }
 }
 
@@ -40,11 +32,9 @@ void CastPoints::draw(const PictureTile& tile, std::vector<SurfaceFragment>& nea
 {
     nearest.clear();
     if (tiles_.empty()) return;
-    const auto& points =
-        tiles_[static_cast<std::size_t>(tile.y / tileEdge_) * static_cast<std::size_t>(tilesAcross_) +
-               static_cast<std::size_t>(tile.x / tileEdge_)];
+    const auto& points = tiles_[grid_.numberAt(tile.x, tile.y)];
     if (points.empty()) return;
-    nearest.resize(static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height));
+    nearest.resize(tile.pixelCount());
     for (const PixelPoint& point : points) {
         SurfaceFragment& fragment = nearest[point.pixel];
         const auto depth = static_cast<double>(point.depth);

@@ -15,7 +15,7 @@ class CastPoints
 {
 public:
     /// In up to `threads` threads; the scene outlives this.
-    CastPoints(const StyledScene& scene, const SceneRays& rays, int tileEdge, int threads);
+    CastPoints(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid, int threads);
 
     /// Of each pixel of a tile the nearest point, at infinity where there is none; nothing if no pixel has
     /// one.
@@ -33,8 +33,8 @@ private:
 
     const StyledScene& scene_;
     DepthRange depths_;
-    int tileEdge_, tilesAcross_;
-    std::vector<std::vector<PixelPoint>> tiles_; ///< row by row; empty without points
+    TileGrid grid_;
+    std::vector<std::vector<PixelPoint>> tiles_; ///< empty without points
 };
 
 } // namespace vo

@@ -70,6 +70,12 @@ DepthRay SceneRays::ray(double x, double y) const
     return lineOf(eyeFromClip_, {x * pixel_.x - 1.0, y * pixel_.y - 1.0}).ray;
 }
 
+glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye)
+{
+    const glm::dvec4 clip = scene.clipFromEye * eye;
+    return {(clip.x + clip.w) * 0.5 * scene.width, (clip.y + clip.w) * 0.5 * scene.height, clip.w};
+}
+
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray)
 {
     return {glm::dvec3(matrix * glm::dvec4(ray.origin, 1.0)),

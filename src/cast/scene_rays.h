@@ -48,6 +48,9 @@ private:
     DepthRange depths_;
 };
 
+/// Where a point of eye space stands in the picture: pixels from its left and lower edge times w, and w.
+glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye);
+
 /// The ray in another space.
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray);
 

@@ -1,5 +1,6 @@
 #include "cast/scene_surfaces.h"
 
+#include "style/styled_voxels.h"
 #include "style/styles.h"
 
 #include <glm/geometric.hpp>
@@ -53,8 +54,6 @@ struct CastSurfaces::Covered
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
 /// The lines through a triangle's corners: dot(edge, (x, y, 1)) is not negative inside.
 struct Edges
 {
@@ -89,14 +88,6 @@ std::shared_ptr<const Style> shadingOf(const StyledSurface& surface)
     return makeStyle(fields);
 }
 
-/// All it names is there, and its place can be computed.
-bool isDrawn(const StyledSurface& surface)
-{
-    return isInvertible(surface.worldFromLocal) && surface.positions.size() < kNone &&
-           (surface.normals.empty() || surface.normals.size() == surface.positions.size()) &&
-           (surface.colors.empty() || surface.colors.size() == surface.positions.size());
-}
-
 template <class Vector>
 Vector weighted(const std::vector<Vector>& of, const std::array<std::uint32_t, 3>& corners,
                 const glm::dvec3& weights)
@@ -120,41 +111,15 @@ glm::dvec3 normalAt(const StyledSurface& surface, const std::array<std::uint32_t
     return weighted(surface.normals, corners, weights);
 }
 
-/// Pixels whose middle a range of the picture has, within the limits.
-void pixelsIn(double low, double high, int least, int most, int& first, int& last)
-{
-    first = static_cast<int>(std::clamp(std::ceil(low - 0.5), double(least), double(most) + 1.0));
-    last = static_cast<int>(std::clamp(std::floor(high - 0.5), double(least) - 1.0, double(most)));
-}
-
-struct PixelBounds
-{
-    int left, right, bottom, top;
-};
-
-/// The pixels within `tile` that a triangle may cover: all of them where it reaches behind the eye.
-PixelBounds boundsOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const PictureTile& tile)
-{
-    PixelBounds bounds{tile.x, tile.x + tile.width - 1, tile.y, tile.y + tile.height - 1};
-    constexpr double kLeastW = 1e-9;
-    if (!(std::min({a.z, b.z, c.z}) > kLeastW)) return bounds;
-    const auto [left, right] = std::minmax({a.x / a.z, b.x / b.z, c.x / c.z});
-    const auto [bottom, top] = std::minmax({a.y / a.z, b.y / b.z, c.y / c.z});
-    pixelsIn(left - 1e-3, right + 1e-3, tile.x, tile.x + tile.width - 1, bounds.left, bounds.right);
-    pixelsIn(bottom - 1e-3, top + 1e-3, tile.y, tile.y + tile.height - 1, bounds.bottom, bounds.top);
-    return bounds;
-}
-
 } // namespace
 
-CastSurfaces::CastSurfaces(const StyledScene& scene, const SceneRays& rays, int tileEdge)
-    : scene_(scene), rays_(rays), tileEdge_(tileEdge), tilesAcross_((scene.width + tileEdge - 1) / tileEdge)
+CastSurfaces::CastSurfaces(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid)
+    : scene_(scene), rays_(rays), grid_(grid)
 {
     for (const StyledSurface& surface : scene.surfaces)
-        if (isDrawn(surface)) prepare(surface);
+        if (isSound(surface)) prepare(surface);
     if (surfaces_.empty()) return;
-    const int tilesUp = (scene.height + tileEdge - 1) / tileEdge;
-    tiles_.resize(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesUp));
+    tiles_.resize(grid_.count());
     for (std::uint32_t surface = 0; surface < surfaces_.size(); ++surface)
         for (std::size_t i = 0; i + 3 <= surfaces_[surface].styled->triangles.size(); i += 3)
             sortIntoTiles(surface, i);
@@ -171,10 +136,7 @@ void CastSurfaces::prepare(const StyledSurface& surface)
     prepared.vertices.reserve(surface.positions.size());
     for (const glm::vec3& position : surface.positions) {
         const glm::dvec4 eye = eyeFromLocal * glm::dvec4(position, 1.0);
-        const glm::dvec4 clip = scene_.clipFromEye * eye;
-        prepared.vertices.push_back(
-            {{(clip.x + clip.w) * 0.5 * scene_.width, (clip.y + clip.w) * 0.5 * scene_.height, clip.w},
-             -eye.z});
+        prepared.vertices.push_back({windowOf(scene_, eye), -eye.z});
     }
     surfaces_.push_back(std::move(prepared));
 }
@@ -185,34 +147,30 @@ void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
     Triangle triangle{surface, {}};
     std::array<glm::dvec3, 3> windows;
     for (std::size_t i = 0; i < 3; ++i) {
-        const int corner = prepared.styled->triangles[first + i];
-        if (corner < 0 || static_cast<std::size_t>(corner) >= prepared.vertices.size()) return;
-        triangle.corners[i] = static_cast<std::uint32_t>(corner);
+        triangle.corners[i] = static_cast<std::uint32_t>(prepared.styled->triangles[first + i]);
         windows[i] = prepared.vertices[triangle.corners[i]].window;
     }
     const auto& [a, b, c] = windows;
     if (!(std::max({a.z, b.z, c.z}) > 0.0) || Edges(a, b, c).flat) return;
-    const PixelBounds bounds = boundsOf(a, b, c, {0, 0, scene_.width, scene_.height});
-    if (bounds.left > bounds.right || bounds.bottom > bounds.top) return;
-    for (int y = bounds.bottom / tileEdge_; y <= bounds.top / tileEdge_; ++y)
-        for (int x = bounds.left / tileEdge_; x <= bounds.right / tileEdge_; ++x)
-            tiles_[static_cast<std::size_t>(y) * static_cast<std::size_t>(tilesAcross_) +
-                   static_cast<std::size_t>(x)]
-                .push_back(triangle);
+    grid_.forTilesOf(pixelsOf(windows, grid_.picture()),
+                     [&](std::size_t tile) { tiles_[tile].push_back(triangle); });
 }
 
 void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Covered& covered) const
 {
     const Prepared& prepared = surfaces_[triangle.surface];
-    const auto& [a, b, c] = triangle.corners;
-    const std::array<const Vertex*, 3> corner{&prepared.vertices[a], &prepared.vertices[b],
-                                              &prepared.vertices[c]};
-    const Edges edges(corner[0]->window, corner[1]->window, corner[2]->window);
-    const glm::dvec3 depths(corner[0]->depth, corner[1]->depth, corner[2]->depth);
+    std::array<glm::dvec3, 3> windows;
+    glm::dvec3 depths;
+    for (int corner = 0; corner < 3; ++corner) {
+        const auto i = static_cast<std::size_t>(corner);
+        windows[i] = prepared.vertices[triangle.corners[i]].window;
+        depths[corner] = prepared.vertices[triangle.corners[i]].depth;
+    }
+    const Edges edges(windows[0], windows[1], windows[2]);
     const glm::dvec3 outward = prepared.normalMatrix * faceNormal(*prepared.styled, triangle.corners);
-    const PixelBounds bounds = boundsOf(corner[0]->window, corner[1]->window, corner[2]->window, tile);
-    for (int y = bounds.bottom; y <= bounds.top; ++y)
-        for (int x = bounds.left; x <= bounds.right; ++x) {
+    const PictureTile pixels = pixelsOf(windows, tile);
+    for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
+        for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
             const glm::dvec3 place(x + 0.5, y + 0.5, 1.0);
             const glm::dvec3 inside(glm::dot(edges.edge[0], place), glm::dot(edges.edge[1], place),
                                     glm::dot(edges.edge[2], place));
@@ -220,7 +178,7 @@ void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Cove
                 !Edges::isInside(edges.edge[2], inside.z))
                 continue;
             Hit hit;
-            hit.pixel = static_cast<std::uint32_t>((y - tile.y) * tile.width + x - tile.x);
+            hit.pixel = static_cast<std::uint32_t>(tile.pixelAt(x, y));
             hit.triangle = triangle;
             hit.weights = inside / (inside.x + inside.y + inside.z);
             hit.depth = glm::dot(hit.weights, depths);
@@ -250,11 +208,9 @@ void CastSurfaces::draw(const PictureTile& tile, SurfaceTile& result) const
     result.translucent_.clear();
     result.first_.clear();
     if (tiles_.empty()) return;
-    const auto& triangles =
-        tiles_[static_cast<std::size_t>(tile.y / tileEdge_) * static_cast<std::size_t>(tilesAcross_) +
-               static_cast<std::size_t>(tile.x / tileEdge_)];
+    const auto& triangles = tiles_[grid_.numberAt(tile.x, tile.y)];
     if (triangles.empty()) return;
-    const auto pixels = static_cast<std::size_t>(tile.width) * static_cast<std::size_t>(tile.height);
+    const std::size_t pixels = tile.pixelCount();
     Covered covered;
     covered.opaque.resize(pixels);
     for (const bool opaque : {true, false})

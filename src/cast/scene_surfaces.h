@@ -49,8 +49,8 @@ private:
 class CastSurfaces
 {
 public:
-    /// Sorts triangles into tiles of tileEdge pixels. Both arguments outlive this.
-    CastSurfaces(const StyledScene& scene, const SceneRays& rays, int tileEdge);
+    /// Sorts triangles into tiles. The scene and its rays outlive this.
+    CastSurfaces(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid);
     ~CastSurfaces();
 
     /// Triangles in a tile of the picture, lit as X3D says.
@@ -73,9 +73,9 @@ private:
 
     const StyledScene& scene_;
     const SceneRays& rays_;
-    int tileEdge_, tilesAcross_;
+    TileGrid grid_;
     std::vector<Prepared> surfaces_;
-    std::vector<std::vector<Triangle>> tiles_; ///< row by row; empty without surfaces
+    std::vector<std::vector<Triangle>> tiles_; ///< empty without surfaces
 };
 
 } // namespace vo

@@ -4,9 +4,9 @@
 #include "cast/scene_rays.h"
 #include "style/styled_scene.h"
 
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,10 +37,10 @@ struct TetraTile
 class CastTetras
 {
 public:
-    CastTetras(const StyledTetras& tetras, const glm::dmat4& localFromEye);
+    /// Sorts them into tiles of the scene's picture.
+    CastTetras(const StyledScene& scene, const StyledTetras& tetras, const glm::dmat4& localFromEye,
+               const TileGrid& grid);
 
-    /// Sorts them into tiles of the scene's picture; before spansOf.
-    void sortIntoTiles(const StyledScene& scene, int tileEdge);
     void spansOf(const PictureTile& tile, const SceneRays& rays, TetraTile& result) const;
 
     /// Texture coordinates from local positions.
@@ -49,13 +49,9 @@ public:
 private:
     struct Cell
     {
-        glm::dvec4 faces[4]; ///< eye space, not negative inside
-        glm::dvec3 corners[4];
+        glm::dvec4 faces[4];               ///< eye space, not negative inside
+        std::array<glm::dvec3, 4> windows; ///< of its corners
         glm::dmat4 placeFromLocal;
-    };
-    struct Bounds
-    {
-        int left, right, bottom, top;
     };
     struct PixelSpan
     {
@@ -63,14 +59,13 @@ private:
         TetraSpan span;
     };
 
-    void add(const StyledTetras& tetras, std::size_t first, const glm::dmat4& eyeFromLocal);
-    Bounds boundsOf(const Cell& cell) const;
+    void add(const StyledScene& scene, const StyledTetras& tetras, std::size_t tetra,
+             const glm::dmat4& eyeFromLocal);
     static DepthRange rangeOf(const Cell& cell, const DepthRay& ray);
 
     std::vector<Cell> cells_;
-    glm::dmat4 clipFromEye_{1.0};
-    int width_ = 0, height_ = 0, tileEdge_ = 1, tilesAcross_ = 0;
-    std::vector<std::vector<std::uint32_t>> tiles_; ///< row by row
+    TileGrid grid_;
+    std::vector<std::vector<std::uint32_t>> tiles_;
 };
 
 } // namespace vo

@@ -33,17 +33,23 @@ std::optional<glm::vec3> colorAt(std::span<const glm::vec3> colors, std::span<co
 
 } // namespace
 
-glm::vec4 skyColor(const SkyColors& sky, const glm::dvec3& direction)
+Sky::Sky(const SkyColors& colors, const glm::dmat4& worldFromEye)
+    : colors_(colors),
+      backgroundFromEye_(glm::inverse(colors.worldFromBackground) * glm::dmat3(worldFromEye)),
+      opacity_(std::clamp(colors.opacity, 0.0f, 1.0f))
 {
-    const float opacity = std::clamp(sky.opacity, 0.0f, 1.0f);
-    const glm::dvec3 local = glm::inverse(sky.worldFromBackground) * direction;
+}
+
+glm::vec4 Sky::at(const glm::dvec3& direction) const
+{
+    const glm::dvec3 local = backgroundFromEye_ * direction;
     const double length = glm::length(local);
     const auto up = static_cast<float>(length > 0.0 ? local.y / length : 0.0);
     const float fromZenith = std::acos(std::clamp(up, -1.0f, 1.0f));
     std::optional<glm::vec3> color =
-        colorAt(sky.ground, sky.groundAngles, glm::pi<float>() - fromZenith, true);
-    if (!color) color = colorAt(sky.sky, sky.skyAngles, fromZenith, false);
-    return {color.value_or(glm::vec3(0.0f)) * opacity, opacity};
+        colorAt(colors_.ground, colors_.groundAngles, glm::pi<float>() - fromZenith, true);
+    if (!color) color = colorAt(colors_.sky, colors_.skyAngles, fromZenith, false);
+    return {color.value_or(glm::vec3(0.0f)) * opacity_, opacity_};
 }
 
 } // namespace vo

@@ -7,7 +7,19 @@
 
 namespace vo {
 
-/// The background in a direction of the world: colour multiplied by opacity, and opacity.
-glm::vec4 skyColor(const SkyColors& sky, const glm::dvec3& direction);
+/// The background of one picture. Borrows the colours.
+class Sky
+{
+public:
+    Sky(const SkyColors& colors, const glm::dmat4& worldFromEye);
+
+    /// In a direction of eye space: colour multiplied by opacity, and opacity.
+    glm::vec4 at(const glm::dvec3& direction) const;
+
+private:
+    const SkyColors& colors_;
+    glm::dmat3 backgroundFromEye_;
+    float opacity_;
+};
 
 } // namespace vo

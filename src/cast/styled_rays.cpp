@@ -1,6 +1,7 @@
 #include "cast/styled_rays.h"
 
 #include "cast/ray_projection.h"
+#include "style/styled_voxels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,9 +90,7 @@ bool StyledRay::isClear(std::size_t i) const
 
 void StyledRay::take(const SampleChunk& chunk, std::size_t i)
 {
-    const int chain = !volume_.styled->segments
-                          ? 0
-                          : volume_.chainAt({chunk.place[0][i], chunk.place[1][i], chunk.place[2][i]});
+    const int chain = chainAt(*volume_.styled, {chunk.place[0][i], chunk.place[1][i], chunk.place[2][i]});
     if (chain < 0) return;
     const auto to = static_cast<std::size_t>(samples_.batch.count++);
     for (std::size_t c = 0; c < static_cast<std::size_t>(volume_.styled->voxels->components); ++c)

@@ -1,8 +1,8 @@
 #include "draw/draw_surfaces.h"
 
-#include "core/invertible.h"
 #include "draw/scene_view_point.h"
 #include "draw/surface_program.h"
+#include "style/styled_voxels.h"
 
 #include <glm/geometric.hpp>
 
@@ -41,16 +41,6 @@ void append(std::vector<float>& records, const Vector& values)
         records.push_back(static_cast<float>(values[i]));
 }
 
-bool isDrawn(const StyledSurface& surface)
-{
-    const std::size_t vertices = surface.positions.size();
-    return isInvertible(surface.worldFromLocal) && surface.triangles.size() >= 3 &&
-           (surface.colors.empty() || surface.colors.size() == vertices) &&
-           std::ranges::all_of(surface.triangles, [vertices](int corner) {
-               return corner >= 0 && static_cast<std::size_t>(corner) < vertices;
-           });
-}
-
 /// How much the depth of a plane changes at most from a pixel to the next one, near a point of it in eye
 /// space.
 double depthPerPixel(const glm::dvec3& normal, const glm::dvec3& eye, const StyledScene& scene,
@@ -84,7 +74,7 @@ void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, Sce
 {
     std::vector<float> records;
     for (const StyledSurface& surface : scene.surfaces) {
-        if (!surface.isOpaque() || !isDrawn(surface)) continue;
+        if (!surface.isOpaque() || !isSound(surface)) continue;
         records.clear();
         for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
             append(records, surface.positions[vertex]);
@@ -188,7 +178,7 @@ void TranslucentSurfaces::gatherTriangles(std::vector<float>& records)
 {
     triangles_.clear();
     for (std::size_t number = 0; number < scene_->surfaces.size(); ++number)
-        if (const StyledSurface& surface = scene_->surfaces[number]; !surface.isOpaque() && isDrawn(surface))
+        if (const StyledSurface& surface = scene_->surfaces[number]; !surface.isOpaque() && isSound(surface))
             gather(surface, number, records);
 }
 

@@ -121,7 +121,7 @@ struct StyleLight {
     float radius, beamWidth, cutOffAngle;
 };
 const int kMostLights = )" +
-           std::to_string(std::max<std::size_t>(lights, 8)) + R"(;
+           std::to_string(std::max(lights, kMostLights)) + R"(;
 uniform int lightCount;
 uniform StyleLight lights[kMostLights];
 )";

@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::uint64_t kPicturesKept = 16;
 
-std::string sizeText(const VoxelSize& size)
-{
-    return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
-}
-
 /// How texels lie in OpenGL.
 struct Storage
 {
@@ -62,12 +57,8 @@ void sendWidened(const GladGLContext& gl, const VoxelTexture& texture, const Sto
 /// Throws std::runtime_error for texels that do not fill the size.
 void checkWhole(const VoxelTexture& texture)
 {
-    const VoxelSize& size = texture.size;
-    const bool sized =
-        std::min({size.x, size.y, size.z}) >= 1 && texture.components >= 1 && texture.components <= 4;
-    const std::uint64_t bytes = static_cast<std::uint64_t>(texture.components) * bytesOf(texture.kind);
-    if (sized && texture.texels.size() / bytes >= size.count()) return;
-    throw std::runtime_error("a texture of " + sizeText(size) + " texels with " +
+    if (isUsable(texture)) return;
+    throw std::runtime_error("a texture of " + sizeText(texture.size) + " texels with " +
                              std::to_string(texture.components) + " components has " +
                              std::to_string(texture.texels.size()) + " bytes, which is too few");
 }

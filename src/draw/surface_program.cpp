@@ -78,16 +78,8 @@ bool isInSlab()
 vec3 litColor(vec3 CD, vec3 n, vec3 V)
 {
     vec3 sum = emissive;
-    for (int i = 0; i < lightCount; ++i) {
-        vec3 L = directionTo(lights[i], world);
-        vec3 H = L + V;
-        float size = length(H);
-        float nH = size > 0.0 ? dot(n, H) / size : 0.0;
-        float shine = nH > 0.0 ? raised(nH, exponent) : 0.0;
-        vec3 I = lights[i].intensity * (max(dot(n, L), 0.0) * CD + shine * specular);
-        sum += strengthOf(lights[i], L, world) * lights[i].color *
-               (lights[i].ambientIntensity * ambientIntensity * CD + I);
-    }
+    for (int i = 0; i < lightCount; ++i)
+        sum += litBy(lights[i], world, n, V, CD, specular, ambientIntensity, exponent, 1.0);
     return min(sum, 1.0);
 }
 
@@ -160,7 +152,7 @@ SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& s
     SceneProgram& program =
         programs.find(vertexText, definitions + lightDeclarations(surface.lights.size()) +
                                       clipPlaneDeclarations(surface.clipPlanes.size()) + kRaisedGlsl +
-                                      kDirectionToGlsl + kStrengthOfGlsl + kFragmentShader);
+                                      kDirectionToGlsl + kStrengthOfGlsl + kLitByGlsl + kFragmentShader);
     program.use();
     setMaterial(surface, program);
     setView(scene, surface, program);

@@ -2,11 +2,11 @@
 
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
+#include "style/tetra_corners.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -46,35 +46,23 @@ Body boxBody(const StyledVolume& volume)
     return body;
 }
 
-/// How places change with positions; zero in a tetrahedron without volume.
-glm::dmat3 placeFromLocal(const std::array<glm::dvec3, 4>& positions, const std::array<glm::dvec3, 4>& places)
+/// Those without volume are seen from nowhere.
+void appendTetra(const StyledVolume& volume, std::size_t tetra, Body& body)
 {
-    const glm::dmat3 position(positions[1] - positions[0], positions[2] - positions[0],
-                              positions[3] - positions[0]);
-    const glm::dmat3 place(places[1] - places[0], places[2] - places[0], places[3] - places[0]);
-    if (glm::determinant(position) == 0.0) return glm::dmat3(0.0);
-    return place * glm::inverse(position);
-}
-
-void appendTetra(const StyledVolume& volume, const int* corners, Body& body)
-{
-    std::array<glm::dvec3, 4> positions, places;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto corner = static_cast<std::size_t>(corners[i]);
-        positions[i] = volume.tetras->positions[corner];
-        places[i] = volume.tetras->places[corner];
-    }
-    const glm::dmat3 gauge = placeFromLocal(positions, places);
+    const std::optional<TetraCorners> corners = cornersOf(*volume.tetras, tetra);
+    const std::optional<glm::dmat4> gauge = corners ? corners->placeFromLocal() : std::nullopt;
+    if (!gauge) return;
     const auto append = [&body](const glm::dvec3& values) {
         for (int axis = 0; axis < 3; ++axis)
             body.records.push_back(static_cast<float>(values[axis]));
     };
     for (std::size_t i = 0; i < 4; ++i) {
         body.indices.push_back(static_cast<int>(body.indices.size()));
-        append(places[i]);
+        append(corners->places[i]);
         for (int column = 0; column < 3; ++column)
-            append(gauge[column]);
-        const glm::dvec3 voxel = (positions[i] / glm::dvec3(volume.dimensions) + 0.5) * sizeOf(volume);
+            append(glm::dvec3((*gauge)[column]));
+        const glm::dvec3 voxel =
+            (corners->positions[i] / glm::dvec3(volume.dimensions) + 0.5) * sizeOf(volume);
         append(voxel);
         body.bounds.lower = glm::min(body.bounds.lower, voxel);
         body.bounds.upper = glm::max(body.bounds.upper, voxel);
@@ -85,8 +73,8 @@ Body tetraBody(const StyledVolume& volume)
 {
     Body body;
     body.values = kTetraValues;
-    for (std::size_t i = 0; i + 3 < volume.tetras->indices.size(); i += 4)
-        appendTetra(volume, volume.tetras->indices.data() + i, body);
+    for (std::size_t tetra = 0; 4 * tetra + 3 < volume.tetras->indices.size(); ++tetra)
+        appendTetra(volume, tetra, body);
     // Cutting to the bounds is to change nothing.
     body.bounds.lower -= 1.0;
     body.bounds.upper += 1.0;

@@ -1,19 +1,16 @@
 #include "style/glsl_chain.h"
 #include "style/shadow_textures.h"
+#include "style/styled_voxels.h"
 #include "style/styles.h"
 #include "style/transfer_function.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace vo {
 
 namespace {
-
-/// Df shorter than this has no direction.
-constexpr float kLeastGradient = 1e-6f;
 
 const char* const kNormalGlsl = R"(
 float brightness1(vec4 voxel) { return voxel.r; }
@@ -44,7 +41,6 @@ public:
 
 private:
     bool chainNeedsNormal() const;
-    void setNormals(SampleBatch& other) const;
     void writeNormal(GlslChain& chain, const std::string& voxels) const;
 
     Blended fields_;
@@ -82,43 +78,6 @@ bool BlendedStyle::chainNeedsNormal() const
     return std::ranges::any_of(fields_.chain, [](const auto& style) { return style->needsNormal(); });
 }
 
-/// The value of which the gradient is taken.
-void brightness(int components, const std::array<BatchFloats, 4>& voxel, BatchFloats& value)
-{
-    for (std::size_t i = 0; i < kBatchSize; ++i)
-        value[i] = components < 3 ? voxel[0][i] : (voxel[0][i] + voxel[1][i] + voxel[2][i]) / 3.0f;
-}
-
-void BlendedStyle::setNormals(SampleBatch& other) const
-{
-    const VoxelTexture& voxels = *fields_.voxels;
-    BatchFloats square{};
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        std::array<BatchFloats, 2> values;
-        for (std::size_t side = 0; side < 2; ++side) {
-            BatchVectors place = other.place;
-            std::array<BatchFloats, 4> texels{};
-            const float voxel = (side == 0 ? -1.0f : 1.0f) / static_cast<float>(voxels.size[axis]);
-            for (float& coordinate : place[a])
-                coordinate += voxel;
-            sampleTexture(voxels, other.count, place, texels);
-            brightness(voxels.components, texels, values[side]);
-        }
-        for (std::size_t i = 0; i < kBatchSize; ++i) {
-            other.n[a][i] = (values[0][i] - values[1][i]) * perDifference_[axis];
-            square[i] += other.n[a][i] * other.n[a][i];
-        }
-    }
-    for (std::size_t i = 0; i < kBatchSize; ++i) {
-        const float length = std::sqrt(square[i]);
-        const float scale = length < kLeastGradient ? 0.0f : 1.0f / length;
-        other.gradient[i] = length;
-        for (BatchFloats& component : other.n)
-            component[i] *= scale;
-    }
-}
-
 /// w1 is read from its table at (Ov, Ob), w2 at (Ob, Ov): `own` and `others`. Without a table: the constant.
 void weigh(Blended::Weight function, float constant, const TransferFunction& table, const BatchFloats& own,
            const BatchFloats& others, const SampleBatch& samples, const SampleBatch& other,
@@ -151,7 +110,7 @@ void BlendedStyle::apply(const StyleSurroundings& surroundings, SampleBatch& sam
     if (!fields_.voxels) return;
     SampleBatch other = samples;
     sampleTexture(*fields_.voxels, samples.count, samples.place, other.voxel);
-    if (chainNeedsNormal()) setNormals(other);
+    if (chainNeedsNormal()) findNormals(*fields_.voxels, fields_.dimensions, other);
     firstColor(fields_.voxels->components, other);
     for (const auto& style : fields_.chain)
         style->apply(surroundings, other);

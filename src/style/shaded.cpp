@@ -11,31 +11,22 @@ namespace vo {
 
 namespace {
 
-constexpr std::size_t kLightsInShadow = 8;
-
-// Cg = CE + sum of att spot IL (Ia CD Ca + I T CD (N.L) + I T CS (N.H)^(128 shininess)), at most 1, where
-// products below 0 are 0; Og = Ov (1 - transparency). T is what of the light comes through the volume.
+// Cg = CE + the light of all (kLitByGlsl), at most 1; Og = Ov (1 - transparency).
 const char* const kGlsl = R"(
 vec4 shaded(vec4 color, StyleSample s, vec3 n, vec3 CD, vec3 CE, vec3 CS, float Ca, float exponent, float opacity,
             vec4 through0, vec4 through1)
 {
     vec3 sum = CE;
     for (int i = 0; i < lightCount; ++i) {
-        vec3 L = directionTo(lights[i], s.position);
-        vec3 H = L + s.V;
-        float size = length(H);
-        float nH = size > 0.0 ? dot(n, H) / size : 0.0;
-        float specular = nH > 0.0 ? raised(nH, exponent) : 0.0;
         float through = i < 4 ? through0[i] : i < 8 ? through1[i - 4] : 1.0;
-        vec3 I = lights[i].intensity * through * (max(dot(n, L), 0.0) * CD + specular * CS);
-        sum += strengthOf(lights[i], L, s.position) * lights[i].color * (lights[i].ambientIntensity * Ca * CD + I);
+        sum += litBy(lights[i], s.position, n, s.V, CD, CS, Ca, exponent, through);
     }
     return vec4(min(sum, 1.0), color.a * opacity);
 }
 )";
 
 /// What of each light comes through to samples.
-using Through = std::array<std::array<BatchFloats, 4>, kLightsInShadow / 4>;
+using Through = std::array<std::array<BatchFloats, 4>, kMostLights / 4>;
 
 class ShadedStyle final : public Style
 {
@@ -118,7 +109,7 @@ void ShadedStyle::light(const StyleSurroundings& surroundings, SampleBatch& samp
         samples.Cv[static_cast<std::size_t>(channel)].fill(fields_.emissive[channel]);
     Through through;
     findThrough(samples, through);
-    const std::size_t inShadow = std::min(kLightsInShadow, 4 * fields_.shadowTextures.size());
+    const std::size_t inShadow = std::min(kMostLights, 4 * fields_.shadowTextures.size());
     for (std::size_t i = 0; i < surroundings.lights.size(); ++i)
         addLight(surroundings.lights[i], samples, n, CD, i < inShadow ? &through[i / 4][i % 4] : nullptr,
                  samples.Cv);
@@ -163,6 +154,7 @@ void ShadedStyle::write(GlslChain& chain) const
     chain.function("raised", kRaisedGlsl);
     chain.function("directionTo", kDirectionToGlsl);
     chain.function("strengthOf", kStrengthOfGlsl);
+    chain.function("litBy", kLitByGlsl);
     chain.function("shaded", kGlsl);
     chain.step("shaded",
                {normals_.write(chain), CD, chain.uniform(fields_.emissive), chain.uniform(fields_.specular),

@@ -2,13 +2,13 @@
 
 #include "core/parallel.h"
 #include "style/styled_voxels.h"
+#include "style/surface_normals.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace vo {
@@ -66,7 +66,7 @@ void fillSamples(const StyledVolume& volume, bool withNormals, SampleBatch& batc
     if (withNormals) findNormals(*volume.voxels, volume.dimensions, batch);
     batch.V = batch.n;
     for (std::size_t i = 0; i < kBatchSize; ++i)
-        if (batch.n[0][i] == 0.0f && batch.n[1][i] == 0.0f && batch.n[2][i] == 0.0f) batch.V[2][i] = 1.0f;
+        if (isNone(batch.n, i)) batch.V[2][i] = 1.0f;
 }
 
 void applyChain(const StyledVolume& volume, const StyleChain& chain, SampleBatch& batch)
@@ -74,19 +74,6 @@ void applyChain(const StyledVolume& volume, const StyleChain& chain, SampleBatch
     firstColor(volume.voxels->components, batch);
     for (const auto& style : chain)
         style->apply({}, batch);
-}
-
-float texelValue(const VoxelTexture& texture, std::size_t texel, int component)
-{
-    const std::size_t bytes = bytesOf(texture.kind);
-    const std::byte* const at =
-        texture.texels.data() +
-        bytes * (texel * static_cast<std::size_t>(texture.components) + static_cast<std::size_t>(component));
-    if (bytes == 1) return static_cast<float>(std::to_integer<int>(*at)) / 255.0f;
-    std::uint16_t whole = 0;
-    float value = 0.0f;
-    std::memcpy(bytes == 2 ? static_cast<void*>(&whole) : &value, at, bytes);
-    return bytes == 2 ? static_cast<float>(whole) / 65535.0f : value;
 }
 
 /// Rows of the grid, opacities or values.
@@ -154,7 +141,8 @@ private:
     void findOpacityOfSegments(const SampleBatch& batch, BatchFloats& opacity) const
     {
         std::array<int, kBatchSize> chainOf{};
-        findChains(batch, chainOf);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
+            chainOf[i] = chainAt(volume_, {batch.place[0][i], batch.place[1][i], batch.place[2][i]});
         const auto count = static_cast<std::ptrdiff_t>(batch.count);
         for (int number = 0; number < static_cast<int>(volume_.chains.size()); ++number) {
             if (std::find(chainOf.begin(), chainOf.begin() + count, number) == chainOf.begin() + count)
@@ -163,25 +151,6 @@ private:
             applyChain(volume_, volume_.chains[static_cast<std::size_t>(number)], styled);
             for (std::size_t i = 0; i < kBatchSize; ++i)
                 if (chainOf[i] == number) opacity[i] = styled.Ov[i];
-        }
-    }
-
-    /// Of the nearest texel, whatever filter the texture has.
-    void findChains(const SampleBatch& batch, std::array<int, kBatchSize>& chainOf) const
-    {
-        const Segments& segments = *volume_.segments;
-        const VoxelTexture& ids = *segments.identifiers;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
-            std::size_t texel = 0;
-            for (int axis = 2; axis >= 0; --axis) {
-                const float at =
-                    batch.place[static_cast<std::size_t>(axis)][i] * static_cast<float>(ids.size[axis]);
-                const int inside = std::clamp(static_cast<int>(at), 0, ids.size[axis] - 1);
-                texel = texel * static_cast<std::size_t>(ids.size[axis]) + static_cast<std::size_t>(inside);
-            }
-            const float value = texelValue(ids, texel, segments.component);
-            const auto id = static_cast<std::size_t>(std::lround(std::max(value * segments.scale, 0.0f)));
-            chainOf[i] = id < segments.chainOf.size() ? segments.chainOf[id] : segments.beyond;
         }
     }
 

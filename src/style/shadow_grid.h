@@ -33,7 +33,7 @@ float shadowOffset(const glm::vec3& dimensions);
 
 /// The opacity that samples have after their chain, seen along their normal: of styles that look at the eye
 /// too. Clipped parts are clear. A surface has the opacity of its chain for a voxel of its value. In up to
-/// `threads` threads (0: the usual number). Throws std::bad_alloc. Needs hasWholeVoxels() and no tetrahedra.
+/// `threads` threads (0: the usual number). Throws std::bad_alloc. Needs isSound() and no tetrahedra.
 ShadowGrid shadowGridOf(const StyledVolume& volume, int threads);
 
 /// What of a light comes through to the centre of each texel, 65535 for all.

@@ -14,7 +14,6 @@ namespace vo {
 namespace {
 
 constexpr std::size_t kMostKept = 8;
-constexpr std::size_t kMostLights = 8;
 
 /// All that the opacity of a volume's places hangs on. The text of a chain, with its numbers and textures,
 /// says what it does.
@@ -153,7 +152,7 @@ ShadowStore::Kept& ShadowStore::keptFor(const StyledVolume& volume, int threads)
 
 void ShadowStore::add(StyledVolume& volume, int threads)
 {
-    if (volume.tetras || chainsOf(volume).empty() || !hasWholeVoxels(volume)) return;
+    if (volume.tetras || !isSound(volume)) return;
     if (volume.surroundings.lights.empty() || std::ranges::none_of(chainsOf(volume), asksForShadows)) return;
     const ShadowTextures& textures =
         keptFor(volume, threads).texturesFor(volume.surroundings.lights, threads);

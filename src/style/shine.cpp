@@ -33,6 +33,21 @@ float strengthOf(StyleLight light, vec3 L, vec3 position)
 }
 )";
 
+// att spot IL (Ia CD Ca + I T CD (N.L) + I T CS (N.H)^exponent), where products below 0 are 0. T is what of
+// the light comes through.
+const char* const kLitByGlsl = R"(
+vec3 litBy(StyleLight light, vec3 position, vec3 n, vec3 V, vec3 CD, vec3 CS, float Ca, float exponent, float through)
+{
+    vec3 L = directionTo(light, position);
+    vec3 H = L + V;
+    float size = length(H);
+    float nH = size > 0.0 ? dot(n, H) / size : 0.0;
+    float specular = nH > 0.0 ? raised(nH, exponent) : 0.0;
+    vec3 I = light.intensity * through * (max(dot(n, L), 0.0) * CD + specular * CS);
+    return strengthOf(light, L, position) * light.color * (light.ambientIntensity * Ca * CD + I);
+}
+)";
+
 namespace {
 
 /// To a point, and how far that is.

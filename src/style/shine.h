@@ -20,5 +20,8 @@ void directionsTo(const StyleLight& light, const SampleBatch& samples, BatchVect
 /// vec3 position).
 extern const char* const kDirectionToGlsl;
 extern const char* const kStrengthOfGlsl;
+/// What a light adds to the colour of what it falls on: vec3 litBy(StyleLight light, vec3 position, vec3 n,
+/// vec3 V, vec3 CD, vec3 CS, float Ca, float exponent, float through). After the two before and kRaisedGlsl.
+extern const char* const kLitByGlsl;
 
 } // namespace vo

@@ -1,7 +1,9 @@
 #include "style/stipple_points.h"
 
+#include "core/invertible.h"
 #include "core/parallel.h"
 #include "style/power.h"
+#include "style/shine.h"
 #include "style/styled_voxels.h"
 #include "style/surface_normals.h"
 
@@ -32,18 +34,12 @@ float fraction(std::uint64_t bits)
     return static_cast<float>(bits & 0x1fffff) / static_cast<float>(0x200000);
 }
 
-bool isDrawn(const StyledVolume& volume)
-{
-    return volume.stipple && !volume.chains.empty() && hasWholeVoxels(volume);
-}
-
 /// How many points voxels have.
 class Stippling
 {
 public:
     Stippling(const StyledScene& scene, const StyledVolume& volume);
 
-    bool sensible() const { return sensible_; }
     /// Sets N of samples that have voxel and place; drops those that have none. Leaves the colour in Cv, N in
     /// Ov. `index` goes along.
     void numberOf(SampleBatch& batch, std::array<std::uint64_t, kBatchSize>& index) const;
@@ -54,14 +50,14 @@ private:
     void findDepths();
     void placeSamples(SampleBatch& batch) const;
     void dropClear(SampleBatch& batch, std::array<std::uint64_t, kBatchSize>& index) const;
-    float lightingOf(const glm::vec3& position, const glm::vec3& n) const;
+    void findLighting(const SampleBatch& batch, const BatchVectors& n, BatchFloats& lighting) const;
     float factorsOf(const SampleBatch& batch, std::size_t i, const glm::vec3& n) const;
 
     const StyledVolume& volume_;
     const StippleFactors& factors_;
     StyleChain chain_;
     SurfaceNormals normals_;
-    bool keepsClear_ = true, perspective_ = false, sensible_ = false;
+    bool keepsClear_ = true, perspective_ = false;
     glm::dmat4 eyeFromLocal_{1.0};
     glm::vec3 eye_{0.0f}, backwards_{0.0f};
     float nearest_ = 0.0f, farthest_ = 0.0f, resolution_ = 1.0f;
@@ -72,9 +68,6 @@ Stippling::Stippling(const StyledScene& scene, const StyledVolume& volume)
       normals_(volume.stipple->surfaceNormals), perspective_(scene.clipFromEye[2][3] != 0.0),
       eyeFromLocal_(scene.eyeFromWorld * volume.worldFromLocal)
 {
-    const double determinant = glm::determinant(eyeFromLocal_);
-    sensible_ = std::isfinite(determinant) && determinant != 0.0;
-    if (!sensible_) return;
     const glm::dmat4 localFromEye = glm::inverse(eyeFromLocal_);
     eye_ = glm::vec3(localFromEye[3]);
     backwards_ = glm::vec3(glm::normalize(glm::dvec3(localFromEye[2])));
@@ -138,21 +131,20 @@ void Stippling::dropClear(SampleBatch& batch, std::array<std::uint64_t, kBatchSi
     batch.count = static_cast<int>(kept);
 }
 
-float Stippling::lightingOf(const glm::vec3& position, const glm::vec3& n) const
+void Stippling::findLighting(const SampleBatch& batch, const BatchVectors& n, BatchFloats& lighting) const
 {
-    float product = 1.0f;
+    lighting.fill(1.0f);
     for (const StyleLight& light : volume_.surroundings.lights) {
-        const glm::vec3 way = light.position - position;
-        const float length = glm::length(way);
-        const glm::vec3 toPoint = length > 0.0f ? way / length : glm::vec3(0.0f);
-        const float facing =
-            glm::dot(n, light.kind == StyleLight::Kind::directional ? -light.direction : toPoint);
-        if (facing > 0.0f) product *= 1.0f - raised(std::min(facing, 1.0f), factors_.lightingFactor);
+        BatchVectors L;
+        BatchFloats nL;
+        directionsTo(light, batch, L);
+        facing(n, L, nL);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i)
+            if (nL[i] > 0.0f) lighting[i] *= 1.0f - raised(std::min(nL[i], 1.0f), factors_.lightingFactor);
     }
-    return product;
 }
 
-/// N / kStippleMost.
+/// N / kStippleMost, but Tl.
 float Stippling::factorsOf(const SampleBatch& batch, std::size_t i, const glm::vec3& n) const
 {
     const StippleFactors& k = factors_;
@@ -174,7 +166,7 @@ float Stippling::factorsOf(const SampleBatch& batch, std::size_t i, const glm::v
     const float Ts = Cv * (k.silhouetteRetainedOpacity + silhouette);
     const float Td = 1.0f + raised(z, k.distanceFactor);
     const float Ti = raised(batch.gradient[i], k.interiorFactor);
-    return Tb * Ts * Td * lightingOf(position, n) * resolution_ * Ti;
+    return Tb * Ts * Td * resolution_ * Ti;
 }
 
 void Stippling::numberOf(SampleBatch& batch, std::array<std::uint64_t, kBatchSize>& index) const
@@ -188,8 +180,10 @@ void Stippling::numberOf(SampleBatch& batch, std::array<std::uint64_t, kBatchSiz
         style->apply(volume_.surroundings, batch);
     BatchVectors room;
     const BatchVectors& n = normals_.of(batch, room);
+    BatchFloats lighting;
+    findLighting(batch, n, lighting);
     for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); ++i) {
-        const float N = kStippleMost * factorsOf(batch, i, {n[0][i], n[1][i], n[2][i]});
+        const float N = kStippleMost * lighting[i] * factorsOf(batch, i, {n[0][i], n[1][i], n[2][i]});
         batch.Ov[i] = N > 0.0f ? std::min(N, 4.0f * kStippleMost) : 0.0f;
     }
 }
@@ -249,9 +243,8 @@ void spread(const VoxelPoints& voxel, float N, const StyledVolume& volume, const
 
 std::vector<StipplePoint> stipplePoints(const StyledScene& scene, const StyledVolume& volume, int threads)
 {
-    if (!isDrawn(volume)) return {};
+    if (!volume.stipple || !isSound(volume) || !isInvertible(scene.eyeFromWorld)) return {};
     const Stippling stippling(scene, volume);
-    if (!stippling.sensible()) return {};
     std::vector<std::vector<VoxelPoints>> slices(static_cast<std::size_t>(volume.voxels->size.z));
     parallelFor(slices.size(), threads,
                 [&](std::size_t z) { slices[z] = sliceOf(volume, stippling, static_cast<int>(z)); });

@@ -29,6 +29,9 @@ struct StyleLight
     float cutOffAngle = 1.570796f;
 };
 
+/// So many lights shine on one thing at the most: programs have room for them, and shadows.
+constexpr std::size_t kMostLights = 8;
+
 /// What styles know beyond the sample, in local space.
 struct StyleSurroundings
 {

@@ -1,8 +1,9 @@
 #include "style/styled_voxels.h"
 
+#include "core/invertible.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace vo {
 
@@ -10,19 +11,63 @@ namespace {
 
 constexpr float kLeastGradient = 1e-6f;
 
+bool isPositive(double number)
+{
+    return number > 0.0 && std::isfinite(number);
+}
+
+bool isSound(const Segments& segments)
+{
+    const auto& texture = segments.identifiers;
+    return texture && isUsable(*texture) && segments.component >= 0 &&
+           segments.component < texture->components;
+}
+
+std::size_t nearestTexel(float place, int size, bool repeats)
+{
+    if (repeats) place -= std::floor(place);
+    const float inside = std::min(std::max(0.0f, place), 1.0f) * static_cast<float>(size);
+    return static_cast<std::size_t>(std::min(static_cast<int>(inside), size - 1));
+}
+
 } // namespace
 
-bool hasWholeVoxels(const StyledVolume& volume)
+bool isSound(const StyledVolume& volume)
 {
-    if (!volume.voxels) return false;
-    const VoxelTexture& voxels = *volume.voxels;
-    if (voxels.components < 1 || voxels.components > 4) return false;
+    if (!volume.voxels || !isUsable(*volume.voxels) || volume.chains.empty()) return false;
     for (int axis = 0; axis < 3; ++axis)
-        if (voxels.size[axis] < 1 || !(volume.dimensions[axis] > 0.0f) ||
-            !std::isfinite(volume.dimensions[axis]))
-            return false;
-    const std::uint64_t bytes = bytesOf(voxels.kind) * static_cast<std::uint64_t>(voxels.components);
-    return voxels.size.count() <= voxels.texels.size() / bytes;
+        if (!isPositive(static_cast<double>(volume.dimensions[axis]))) return false;
+    if (volume.segments && !isSound(*volume.segments)) return false;
+    if (volume.surfaces && volume.surfaces->chains.empty()) return false;
+    return isPositive(volume.unitLength) && isPositive(volume.spacing) && isInvertible(volume.worldFromLocal);
+}
+
+bool isSound(const StyledSurface& surface)
+{
+    const std::size_t count = surface.positions.size();
+    const auto isWhole = [count](const auto& list) { return list.empty() || list.size() == count; };
+    return isInvertible(surface.worldFromLocal) && isWhole(surface.normals) && isWhole(surface.colors) &&
+           std::ranges::all_of(surface.triangles, [count](int corner) {
+               return corner >= 0 && static_cast<std::size_t>(corner) < count;
+           });
+}
+
+int chainAt(const StyledVolume& volume, const glm::vec3& place)
+{
+    if (!volume.segments) return 0;
+    const Segments& segments = *volume.segments;
+    const VoxelTexture& texture = *segments.identifiers;
+    std::size_t texel = 0;
+    for (const int axis : {2, 1, 0})
+        texel =
+            texel * static_cast<std::size_t>(texture.size[axis]) +
+            nearestTexel(place[axis], texture.size[axis], texture.repeats[static_cast<std::size_t>(axis)]);
+    const std::size_t index =
+        texel * static_cast<std::size_t>(texture.components) + static_cast<std::size_t>(segments.component);
+    const float id = std::round(numberAt(texture, index) * segments.scale);
+    const bool listed = id >= 0.0f && id < static_cast<float>(segments.chainOf.size());
+    const int chain = listed ? segments.chainOf[static_cast<std::size_t>(id)] : segments.beyond;
+    return chain < static_cast<int>(volume.chains.size()) ? chain : -1;
 }
 
 void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch)

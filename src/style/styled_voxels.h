@@ -4,8 +4,14 @@
 
 namespace vo {
 
-/// Whether the texels fill the voxels' size, and the box has an extent.
-bool hasWholeVoxels(const StyledVolume& volume);
+/// Whether its numbers make sense: voxels and segments have all their texels, lengths are above 0, it has
+/// chains, and a place in the world. What does not is left out of pictures.
+bool isSound(const StyledVolume& volume);
+/// The same of a surface: triangles name positions that are there, and lists for positions are as long.
+bool isSound(const StyledSurface& surface);
+
+/// Which of a volume's chains its segment at a place (S, T, R) has, below 0 for none; 0 without segments.
+int chainAt(const StyledVolume& volume, const glm::vec3& place);
 
 /// Sets n and gradient at the samples' places: central differences of brightness.
 void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch);

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <string>
 #include <vector>
 
 namespace vo {
@@ -32,5 +34,27 @@ constexpr std::size_t bytesOf(TexelKind kind)
 {
     return kind == TexelKind::uint8 ? 1 : kind == TexelKind::uint16 ? 2 : 4;
 }
+
+/// Whether the texture has all the texels it says, one to four components each.
+bool isUsable(const VoxelTexture& texture);
+
+/// What component `index` of all that the texels have stands for.
+inline float numberAt(const VoxelTexture& texture, std::size_t index)
+{
+    const std::byte* const at = texture.texels.data() + index * bytesOf(texture.kind);
+    std::uint16_t whole = 0;
+    float number = 0.0f;
+    switch (texture.kind) {
+    case TexelKind::uint8: return static_cast<float>(std::to_integer<int>(*at)) / 255.0f;
+    case TexelKind::uint16:
+        std::memcpy(&whole, at, sizeof whole);
+        return static_cast<float>(whole) / 65535.0f;
+    case TexelKind::float32: std::memcpy(&number, at, sizeof number); break;
+    }
+    return number;
+}
+
+/// "4 x 5 x 6".
+std::string sizeText(const VoxelSize& size);
 
 } // namespace vo

@@ -40,6 +40,14 @@ StyleLight worldLight(const Node& node, const glm::dmat4& worldFromLocal)
     return localLight(light, worldFromLocal);
 }
 
+void limitLights(const Node& node, std::vector<StyleLight>& lights, ViewMessages& messages)
+{
+    if (lights.size() <= kMostLights) return;
+    messages.warn(node, "expected at most " + std::to_string(kMostLights) + " lights, found " +
+                            std::to_string(lights.size()) + ": the first shine on it");
+    lights.resize(kMostLights);
+}
+
 StyleLight headlight(const glm::dmat4& eyeFromWorld)
 {
     StyleLight light;

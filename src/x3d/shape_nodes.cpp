@@ -1,6 +1,7 @@
 #include "x3d/shape_nodes.h"
 
 #include "x3d/face_set_mesh.h"
+#include "x3d/node_lights.h"
 #include "x3d/node_material.h"
 #include "x3d/node_values.h"
 #include "x3d/solid_meshes.h"
@@ -9,8 +10,6 @@
 
 namespace vo {
 namespace {
-
-constexpr std::size_t kMostLights = 8;
 
 /// Shines from everywhere, so that what it falls on has the colour that it is given.
 StyleLight evenLight()
@@ -59,11 +58,7 @@ std::optional<StyledSurface> ShapeNodes::of(const ShownNode& shown)
     surface.solid = kept->mesh.solid;
     surface.clipPlanes = shown.clipPlanes;
     surface.lights = shown.lights;
-    if (surface.lights.size() > kMostLights) {
-        messages_.warn(*shown.node, "expected at most " + std::to_string(kMostLights) + " lights, found " +
-                                        std::to_string(surface.lights.size()) + ": the first shine on it");
-        surface.lights.resize(kMostLights);
-    }
+    limitLights(*shown.node, surface.lights, messages_);
     applyMaterial(*shown.node, kept->mesh, surface);
     return surface;
 }

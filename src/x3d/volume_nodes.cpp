@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double kMostPlanes = 4096.0;
 constexpr std::size_t kMostSurfaces = 256;
-constexpr std::size_t kMostLights = 8;
 
 double shortestEdge(const StyledVolume& volume)
 {
@@ -80,11 +78,7 @@ void VolumeNodes::light(const ShownNode& shown, StyledVolume& volume)
     const glm::dmat4 localFromWorld = glm::inverse(shown.worldFromLocal);
     for (const StyleLight& each : shown.lights)
         volume.surroundings.lights.push_back(localLight(each, localFromWorld));
-    if (volume.surroundings.lights.size() <= kMostLights) return;
-    messages_.warn(*shown.node, "expected at most " + std::to_string(kMostLights) + " lights, found " +
-                                    std::to_string(volume.surroundings.lights.size()) +
-                                    ": the first shine on it");
-    volume.surroundings.lights.resize(kMostLights);
+    limitLights(*shown.node, volume.surroundings.lights, messages_);
 }
 
 bool VolumeNodes::fill(const Node& node, StyledVolume& volume)
@@ -94,11 +88,16 @@ bool VolumeNodes::fill(const Node& node, StyledVolume& volume)
     return fillPlain(node, volume);
 }
 
+std::shared_ptr<const VoxelTexture> VolumeNodes::voxelsOf(const Node& node, const char* field)
+{
+    const Node* const texture = nodeOf(node, field);
+    if (!texture) messages_.warn(node, node.typeName() + " has no " + field + ": not drawn");
+    return textures_.of(texture);
+}
+
 bool VolumeNodes::fillPlain(const Node& node, StyledVolume& volume)
 {
-    const Node* const texture = nodeOf(node, "voxels");
-    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
-    volume.voxels = textures_.of(texture);
+    volume.voxels = voxelsOf(node, "voxels");
     if (!volume.voxels) return false;
     DrawnStyle style =
         styles_.of(nodeOf(node, "renderStyle"), node.edition(), {*volume.voxels, volume.dimensions});
@@ -151,16 +150,14 @@ int VolumeNodes::addSegmentChain(const Node* style, const Node& node, StyledVolu
 /// The proposal of 2005 has values and numbers of segments in one texture.
 bool VolumeNodes::takeSegmentedVoxels(const Node& node, StyledVolume& volume, Segments& segments)
 {
-    const Node* const texture = nodeOf(node, "segmentedVoxels");
-    if (!texture) messages_.warn(node, node.typeName() + " has no segmentedVoxels: not drawn");
-    const auto values = textures_.of(texture);
+    const auto values = voxelsOf(node, "segmentedVoxels");
     if (!values) return false;
     if (values->components == 1) {
         messages_.warn(node, "expected 2, 3 or 4 components in segmentedVoxels, found 1: nothing is drawn");
         return false;
     }
     segments.component = values->components - 1;
-    segments.identifiers = textures_.of(texture, TexelUse::identifiers);
+    segments.identifiers = textures_.of(nodeOf(node, "segmentedVoxels"), TexelUse::identifiers);
     volume.voxels = textures_.firstComponents(values, segments.component);
     segments.scale = segments.identifiers->kind == TexelKind::uint16 ? 65535.0f : 255.0f;
     return true;
@@ -168,9 +165,7 @@ bool VolumeNodes::takeSegmentedVoxels(const Node& node, StyledVolume& volume, Se
 
 bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments)
 {
-    const Node* const texture = nodeOf(node, "voxels");
-    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
-    volume.voxels = textures_.of(texture);
+    volume.voxels = voxelsOf(node, "voxels");
     if (!volume.voxels) return false;
     const Node* const identifiers = nodeOf(node, "segmentIdentifiers");
     auto numbers = textures_.of(identifiers, TexelUse::identifiers);
@@ -187,24 +182,20 @@ bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segmen
 
 bool VolumeNodes::fillSurfaces(const Node& node, StyledVolume& volume)
 {
-    const Node* const texture = nodeOf(node, "voxels");
-    if (!texture) messages_.warn(node, node.typeName() + " has no voxels: not drawn");
-    volume.voxels = textures_.of(texture);
+    volume.voxels = voxelsOf(node, "voxels");
     if (!volume.voxels) return false;
     IsoSurfaces surfaces;
-    std::vector<std::size_t> styleOf;
-    const std::vector<float> values = surfaceValues(node, *volume.voxels, styleOf);
     const auto& renderStyles = nodesOf(node, "renderStyle");
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (const auto& [value, number] : surfaceValues(node, *volume.voxels)) {
         const Node* const style =
-            renderStyles.empty() ? nullptr : renderStyles[std::min(styleOf[i], renderStyles.size() - 1)];
+            renderStyles.empty() ? nullptr : renderStyles[std::min(number, renderStyles.size() - 1)];
         DrawnStyle drawn;
         if (style) drawn = styles_.of(style, node.edition(), {*volume.voxels, volume.dimensions});
         if (drawn.projection || drawn.stipple)
             messages_.warn(*style, style->typeName() + " in IsoSurfaceVolumeData: surfaces are drawn");
         if (!drawn.isEnabled) continue;
         drawn.chain.insert(drawn.chain.begin(), fixedOpacity(1.0f));
-        surfaces.values.push_back(values[i]);
+        surfaces.values.push_back(value);
         surfaces.chains.push_back(std::move(drawn.chain));
     }
     if (surfaces.values.empty()) return false;
@@ -214,60 +205,49 @@ bool VolumeNodes::fillSurfaces(const Node& node, StyledVolume& volume)
     return true;
 }
 
-/// The values, rising, and for each the number of its style: as they are listed, or, with a step, the value
-/// itself first and then those that the step adds, from the smallest.
-std::vector<float> VolumeNodes::surfaceValues(const Node& node, const VoxelTexture& voxels,
-                                              std::vector<std::size_t>& styleOf)
+/// As they are listed, or, with a step, the value itself first and then those that the step adds, from the
+/// smallest; brought into rising order, each value once.
+std::vector<VolumeNodes::SurfaceValue> VolumeNodes::surfaceValues(const Node& node,
+                                                                  const VoxelTexture& voxels)
 {
-    struct Surface
-    {
-        float value;
-        std::size_t style;
-    };
-    std::vector<Surface> surfaces;
+    std::vector<SurfaceValue> surfaces;
     for (const float value : floatsOf(node, "surfaceValues"))
         surfaces.push_back({value, surfaces.size()});
     const double step = std::abs(static_cast<double>(floatOf(node, "contourStepSize")));
-    if (surfaces.size() == 1 && step > 0.0 && reading_ == VoxelReading::whole) {
-        const ValueRange range = rangeOf(voxels);
-        const double first = surfaces[0].value;
-        const double below = std::ceil((range.low - first) / step),
-                     above = std::floor((range.high - first) / step);
-        const bool isFew = above - below < static_cast<double>(kMostSurfaces);
-        if (!isFew)
-            messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) +
-                                     " surfaces by contourStepSize, found more: the step is left out");
-        for (double k = below; k <= above && isFew; ++k)
-            if (k != 0.0) surfaces.push_back({static_cast<float>(first + k * step), surfaces.size()});
-    }
+    if (surfaces.size() == 1 && step > 0.0 && reading_ == VoxelReading::whole)
+        addContours(node, step, rangeOf(voxels), surfaces);
     if (surfaces.size() > kMostSurfaces) {
         messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) + " surfaceValues, found " +
                                  std::to_string(surfaces.size()) + ": the first are drawn");
         surfaces.resize(kMostSurfaces);
     }
-    std::ranges::stable_sort(surfaces, {}, &Surface::value);
-    const auto same = std::ranges::unique(surfaces, {}, &Surface::value);
+    std::ranges::stable_sort(surfaces, {}, &SurfaceValue::value);
+    const auto same = std::ranges::unique(surfaces, {}, &SurfaceValue::value);
     surfaces.erase(same.begin(), same.end());
-    std::vector<float> values;
-    for (const Surface& surface : surfaces) {
-        values.push_back(surface.value);
-        styleOf.push_back(surface.style);
-    }
-    return values;
+    return surfaces;
+}
+
+void VolumeNodes::addContours(const Node& node, double step, const ValueRange& range,
+                              std::vector<SurfaceValue>& surfaces)
+{
+    const double first = surfaces[0].value;
+    const double below = std::ceil((range.low - first) / step),
+                 above = std::floor((range.high - first) / step);
+    if (!(above - below < static_cast<double>(kMostSurfaces)))
+        return messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) +
+                                        " surfaces by contourStepSize, found more: the step is left out");
+    for (double k = below; k <= above; ++k)
+        if (k != 0.0) surfaces.push_back({static_cast<float>(first + k * step), surfaces.size()});
 }
 
 VolumeNodes::ValueRange VolumeNodes::rangeOf(const VoxelTexture& voxels)
 {
     const auto [found, isNew] = ranges_.emplace(voxels.serial, ValueRange{0.0f, 1.0f});
     if (!isNew) return found->second;
-    const std::size_t bytes = bytesOf(voxels.kind),
-                      texel = bytes * static_cast<std::size_t>(voxels.components);
+    const auto components = static_cast<std::size_t>(voxels.components);
     float low = std::numeric_limits<float>::infinity(), high = -low;
-    for (std::size_t at = 0; at + texel <= voxels.texels.size(); at += texel) {
-        std::uint16_t two = 0;
-        float value = 0.0f;
-        std::memcpy(bytes == 4 ? static_cast<void*>(&value) : &two, voxels.texels.data() + at, bytes);
-        if (bytes < 4) value = static_cast<float>(two) / (bytes == 1 ? 255.0f : 65535.0f);
+    for (std::size_t texel = 0; texel < voxels.size.count(); ++texel) {
+        const float value = numberAt(voxels, texel * components);
         low = std::min(low, value);
         high = std::max(high, value);
     }

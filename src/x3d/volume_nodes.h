@@ -29,21 +29,28 @@ public:
     std::optional<StyledVolume> of(const ShownNode& shown);
 
 private:
+    struct ValueRange
+    {
+        float low, high;
+    };
+    struct SurfaceValue
+    {
+        float value;
+        std::size_t style; ///< its number
+    };
+
     bool fill(const Node& node, StyledVolume& volume);
+    std::shared_ptr<const VoxelTexture> voxelsOf(const Node& node, const char* field);
     bool fillPlain(const Node& node, StyledVolume& volume);
     bool fillSegmented(const Node& node, StyledVolume& volume);
     bool fillSurfaces(const Node& node, StyledVolume& volume);
     bool takeSegmentedVoxels(const Node& node, StyledVolume& volume, Segments& segments);
     bool takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments);
     int addSegmentChain(const Node* style, const Node& node, StyledVolume& volume);
-    std::vector<float> surfaceValues(const Node& node, const VoxelTexture& voxels,
-                                     std::vector<std::size_t>& styleOf);
+    std::vector<SurfaceValue> surfaceValues(const Node& node, const VoxelTexture& voxels);
+    void addContours(const Node& node, double step, const ValueRange& range,
+                     std::vector<SurfaceValue>& surfaces);
     void light(const ShownNode& shown, StyledVolume& volume);
-
-    struct ValueRange
-    {
-        float low, high;
-    };
     ValueRange rangeOf(const VoxelTexture& voxels);
 
     ViewMessages& messages_;

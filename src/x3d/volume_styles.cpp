@@ -218,9 +218,6 @@ std::shared_ptr<const VoxelTexture> VolumeStyles::normals(const Node& owner, con
 {
     auto texture = textures_.of(node);
     if (!texture) return nullptr;
-    const auto sizeText = [](const VoxelSize& size) {
-        return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
-    };
     if (texture->components >= 3 && texture->size == voxels.size) return texture;
     messages_.warn(owner, owner.typeName() + ": expected normals of the voxels' size, " +
                               sizeText(voxels.size) + ", with 3 components, found " +
