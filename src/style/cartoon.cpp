@@ -1,11 +1,9 @@
 #include "style/glsl_chain.h"
+#include "style/hsv_color.h"
 #include "style/styles.h"
 #include "style/surface_normals.h"
 
-#include <glm/common.hpp>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -37,41 +35,6 @@ vec4 cartoon(vec4 color, StyleSample s, vec3 n, vec4 orthogonal, vec4 parallel, 
 }
 )";
 
-/// Hue (0 to 6, red at 0), saturation, value and alpha.
-glm::vec4 hsvaOf(const glm::vec4& rgba)
-{
-    const float most = std::max({rgba.r, rgba.g, rgba.b});
-    const float range = most - std::min({rgba.r, rgba.g, rgba.b});
-    if (range <= 0.0f) return {0.0f, 0.0f, most, rgba.a};
-    float hue = 0.0f;
-    if (most == rgba.r)
-        hue = (rgba.g - rgba.b) / range;
-    else if (most == rgba.g)
-        hue = (rgba.b - rgba.r) / range + 2.0f;
-    else
-        hue = (rgba.r - rgba.g) / range + 4.0f;
-    return {hue < 0.0f ? hue + 6.0f : hue, range / most, most, rgba.a};
-}
-
-glm::vec4 rgbaOf(const glm::vec4& hsva)
-{
-    const auto channel = [&](float offset) {
-        const float turned = offset + hsva.x;
-        const float k = turned - 6.0f * std::floor(turned / 6.0f);
-        return hsva.z - hsva.z * hsva.y * std::clamp(std::min(k, 4.0f - k), 0.0f, 1.0f);
-    };
-    return {channel(5.0f), channel(3.0f), channel(1.0f), hsva.a};
-}
-
-/// A grey has no hue and takes the other's; else the hues lie at most half a turn apart.
-void joinHues(glm::vec4& a, glm::vec4& b)
-{
-    if (a.y == 0.0f) a.x = b.x;
-    if (b.y == 0.0f) b.x = a.x;
-    if (b.x - a.x > 3.0f) a.x += 6.0f;
-    if (a.x - b.x > 3.0f) b.x += 6.0f;
-}
-
 class CartoonStyle final : public Style
 {
 public:
@@ -91,18 +54,20 @@ private:
     SurfaceNormals normals_;
 };
 
-CartoonStyle::CartoonStyle(const Cartoon& fields)
-    : orthogonalHsva_(hsvaOf(fields.orthogonalColor)), parallelHsva_(hsvaOf(fields.parallelColor)),
-      normals_(fields.surfaceNormals)
+CartoonStyle::CartoonStyle(const Cartoon& fields) : normals_(fields.surfaceNormals)
 {
-    joinHues(orthogonalHsva_, parallelHsva_);
+    const glm::vec4 &first = fields.orthogonalColor, &last = fields.parallelColor;
+    const HsvRamp ramp{glm::dvec3(first), glm::dvec3(last)};
+    orthogonalHsva_ = glm::vec4(glm::vec3(ramp.from), first.a);
+    parallelHsva_ = glm::vec4(glm::vec3(ramp.to), last.a);
     const int steps = std::max(fields.colorSteps, 1);
     for (int part = 0; part < steps; ++part) {
-        const float middle = (static_cast<float>(part) + 0.5f) / static_cast<float>(steps);
-        tones_.push_back(rgbaOf(glm::mix(orthogonalHsva_, parallelHsva_, middle)));
+        const double middle = (part + 0.5) / steps;
+        tones_.emplace_back(glm::vec3(ramp.rgbAt(middle)),
+                            std::lerp(first.a, last.a, static_cast<float>(middle)));
     }
-    tones_.back() = fields.parallelColor;
-    tones_.front() = fields.orthogonalColor;
+    tones_.back() = last;
+    tones_.front() = first;
 }
 
 int CartoonStyle::partOf(float nV) const

@@ -5,6 +5,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <span>
 
+#include "style/hsv_color.h"
+
 namespace vo {
 namespace {
 
@@ -53,43 +55,15 @@ std::vector<float> turned(Numbers from, Numbers to, double part)
     return {float(unit.x), float(unit.y), float(unit.z), float(2 * std::atan2(sine, between.w))};
 }
 
-/// Hue from 0 to 6 (red, yellow, green ...), saturation, value.
-struct HsvColor
+glm::dvec3 colorOf(Numbers numbers)
 {
-    double hue = 0, saturation = 0, value = 0;
-};
-
-HsvColor hsvOf(Numbers color)
-{
-    const double red = double(color[0]), green = double(color[1]), blue = double(color[2]);
-    const double most = std::max({red, green, blue}), range = most - std::min({red, green, blue});
-    if (range <= 0) return {0, 0, most};
-    const double hue = most == red     ? (green - blue) / range
-                       : most == green ? 2 + (blue - red) / range
-                                       : 4 + (red - green) / range;
-    return {hue < 0 ? hue + 6 : hue, range / most, most};
-}
-
-std::vector<float> rgbOf(const HsvColor& color)
-{
-    const auto component = [&](double shift) {
-        const double place = std::fmod(color.hue + shift, 6.0);
-        const double full = std::clamp(std::abs(place - 3) - 1, 0.0, 1.0);
-        return static_cast<float>(color.value * std::lerp(1.0, full, color.saturation));
-    };
-    return {component(0), component(4), component(2)};
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 std::vector<float> mixedColor(Numbers from, Numbers to, double part)
 {
-    HsvColor a = hsvOf(from), b = hsvOf(to);
-    // Grey has no hue of its own.
-    if (a.saturation <= 0) a.hue = b.hue;
-    if (b.saturation <= 0) b.hue = a.hue;
-    if (b.hue - a.hue > 3) a.hue += 6;
-    if (a.hue - b.hue > 3) b.hue += 6;
-    return rgbOf({std::lerp(a.hue, b.hue, part), std::lerp(a.saturation, b.saturation, part),
-                  std::lerp(a.value, b.value, part)});
+    const glm::dvec3 color = HsvRamp(colorOf(from), colorOf(to)).rgbAt(part);
+    return {float(color.r), float(color.g), float(color.b)};
 }
 
 } // namespace
