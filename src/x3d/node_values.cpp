@@ -69,6 +69,12 @@ std::int32_t integerOf(const Node& node, std::string_view field, std::int32_t fa
     return numbers.empty() ? fallback : numbers.front();
 }
 
+double doubleOf(const Node& node, std::string_view field, double fallback)
+{
+    const auto& numbers = elementsOf<double>(node, field);
+    return numbers.empty() ? fallback : numbers.front();
+}
+
 bool boolOf(const Node& node, std::string_view field, bool fallback)
 {
     return integerOf(node, field, fallback) != 0;
@@ -104,6 +110,16 @@ std::vector<glm::vec3> vec3sOf(const Node& node, std::string_view field)
 std::vector<glm::vec4> vec4sOf(const Node& node, std::string_view field)
 {
     return vectorsOf<glm::vec4>(node, field);
+}
+
+FieldValue truthValue(bool isTrue)
+{
+    return std::vector<std::int32_t>{isTrue ? 1 : 0};
+}
+
+FieldValue timeValue(double seconds)
+{
+    return std::vector<double>{seconds};
 }
 
 bool isOf(const Node* node, std::string_view typeName)

@@ -21,6 +21,7 @@ const std::vector<Node*>& nodesOf(const Node& node, std::string_view field);
 
 float floatOf(const Node& node, std::string_view field, float fallback = 0.0f);
 std::int32_t integerOf(const Node& node, std::string_view field, std::int32_t fallback = 0);
+double doubleOf(const Node& node, std::string_view field, double fallback = 0.0);
 bool boolOf(const Node& node, std::string_view field, bool fallback = false);
 glm::vec3 vec3Of(const Node& node, std::string_view field, const glm::vec3& fallback = glm::vec3(0.0f));
 glm::vec4 vec4Of(const Node& node, std::string_view field, const glm::vec4& fallback = glm::vec4(0.0f));
@@ -32,6 +33,10 @@ const Node* nodeOf(const Node& node, std::string_view field);
 /// Three by three, four by four numbers; what is left over is left out.
 std::vector<glm::vec3> vec3sOf(const Node& node, std::string_view field);
 std::vector<glm::vec4> vec4sOf(const Node& node, std::string_view field);
+
+/// What a field of one truth, or of one time, holds.
+FieldValue truthValue(bool isTrue);
+FieldValue timeValue(double seconds);
 
 /// Whether it is of this type or below it; NULL is of none.
 bool isOf(const Node* node, std::string_view typeName);

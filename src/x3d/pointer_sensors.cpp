@@ -20,8 +20,7 @@ std::vector<Node*> enabledSensors(const std::vector<Node*>& nodes)
 
 std::vector<Node*> childrenOf(const Node& node)
 {
-    if (!node.inlined.empty()) return node.inlined;
-    return node.field("children") ? nodesOf(node, "children") : std::vector<Node*>();
+    return node.inlined.empty() ? nodesOf(node, "children") : node.inlined;
 }
 
 glm::dmat4 worldFromBelow(const std::vector<const Node*>& above)
@@ -30,11 +29,6 @@ glm::dmat4 worldFromBelow(const std::vector<const Node*>& above)
     for (const Node* const node : above)
         if (isOf(node, "Transform")) matrix *= transformMatrix(*node);
     return matrix;
-}
-
-FieldValue truth(bool value)
-{
-    return std::vector<std::int32_t>{value ? 1 : 0};
 }
 
 FieldValue vectorValue(const glm::dvec3& v)
@@ -69,8 +63,8 @@ bool PointerSensors::move(const std::optional<PointedPlace>& place)
         std::erase_if(some, [&](Node* each) { return std::ranges::find(others, each) != others.end(); });
         return some;
     };
-    send(without(over_, touched.sensors), "isOver", truth(false));
-    send(without(touched.sensors, over_), "isOver", truth(true));
+    send(without(over_, touched.sensors), "isOver", truthValue(false));
+    send(without(touched.sensors, over_), "isOver", truthValue(true));
     over_ = touched.sensors;
     if (over_.empty()) return false;
     const glm::dmat4 belowFromWorld = glm::inverse(worldFromBelow(touched.above));
@@ -87,17 +81,17 @@ bool PointerSensors::move(const std::optional<PointedPlace>& place)
 void PointerSensors::press()
 {
     active_ = over_;
-    send(active_, "isActive", truth(true));
+    send(active_, "isActive", truthValue(true));
 }
 
 void PointerSensors::release()
 {
     const auto pressed = std::exchange(active_, {});
-    send(pressed, "isActive", truth(false));
+    send(pressed, "isActive", truthValue(false));
     std::vector<Node*> touched;
     std::ranges::copy_if(pressed, std::back_inserter(touched),
                          [&](Node* sensor) { return std::ranges::find(over_, sensor) != over_.end(); });
-    send(touched, "touchTime", FieldValue(std::vector<double>{events_.time()}));
+    send(touched, "touchTime", timeValue(events_.time()));
 }
 
 } // namespace vo

@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include "x3d/interpolate.h"
+#include "x3d/node_values.h"
 
 namespace vo {
 namespace {
-
-bool isOfType(const Node& node, const char* name)
-{
-    return node.type().isA(knownNodeType(name));
-}
 
 /// Whether a node would stand below itself.
 bool makesCircle(const Node& node, const FieldValue& value)
@@ -36,7 +32,7 @@ void SceneEvents::refresh()
 {
     for (; knownNodes_ < scene_.nodeCount(); ++knownNodes_) {
         Node& node = *scene_.nodes()[knownNodes_];
-        if (isOfType(node, "TimeSensor"))
+        if (isOf(&node, "TimeSensor"))
             sensorOrder_.push_back(&sensors_.try_emplace(&node, node).first->second);
     }
     for (; knownRoutes_ < scene_.routes.size(); ++knownRoutes_) {
@@ -159,12 +155,10 @@ void SceneEvents::takeInput(Node& node, const FieldRow& row, const FieldValue& v
 /// One node of a kind is bound; viewpoints alone have a use for it.
 void SceneEvents::bind(Node& node, bool isBound, Waiting& waiting)
 {
-    if (!isOfType(node, "X3DViewpointNode") || isBound == (boundViewpoint_ == &node)) return;
+    if (!isOf(&node, "X3DViewpointNode") || isBound == (boundViewpoint_ == &node)) return;
     const auto tell = [&](Node& viewpoint, bool isTrue) {
-        waiting.push_back({&viewpoint, viewpoint.field("isBound")->slot,
-                           FieldValue(std::vector<std::int32_t>{isTrue ? 1 : 0})});
-        waiting.push_back(
-            {&viewpoint, viewpoint.field("bindTime")->slot, FieldValue(std::vector<double>{time_})});
+        waiting.push_back({&viewpoint, viewpoint.field("isBound")->slot, truthValue(isTrue)});
+        waiting.push_back({&viewpoint, viewpoint.field("bindTime")->slot, timeValue(time_)});
     };
     if (boundViewpoint_) tell(*boundViewpoint_, false);
     boundViewpoint_ = isBound ? &node : nullptr;

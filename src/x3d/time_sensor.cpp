@@ -3,33 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "x3d/node_values.h"
+
 namespace vo {
-namespace {
-
-FieldValue truth(bool value)
-{
-    return std::vector<std::int32_t>{value ? 1 : 0};
-}
-
-FieldValue timeValue(double seconds)
-{
-    return std::vector<double>{seconds};
-}
-
-} // namespace
-
-double TimeSensor::number(const char* field) const
-{
-    return std::get<std::vector<double>>(node_.value(*node_.field(field))).front();
-}
-
 TimeSensor::Fields TimeSensor::fields() const
 {
-    const auto isTrue = [&](const char* field) {
-        return std::get<std::vector<std::int32_t>>(node_.value(*node_.field(field))).front() != 0;
-    };
-    return {isTrue("enabled"),  isTrue("loop"),      number("cycleInterval"), number("startTime"),
-            number("stopTime"), number("pauseTime"), number("resumeTime")};
+    return {boolOf(node_, "enabled"),     boolOf(node_, "loop"),       doubleOf(node_, "cycleInterval"),
+            doubleOf(node_, "startTime"), doubleOf(node_, "stopTime"), doubleOf(node_, "pauseTime"),
+            doubleOf(node_, "resumeTime")};
 }
 
 void TimeSensor::send(const char* field, FieldValue value, std::vector<SceneEvent>& events)
@@ -84,7 +65,7 @@ void TimeSensor::pause(const Fields& fields, double now, std::vector<SceneEvent>
     else
         pausedFor_ += std::max(pausedAt_, std::min(now, fields.resumeTime)) - pausedAt_;
     isPaused_ = isWanted;
-    send("isPaused", truth(isPaused_), events);
+    send("isPaused", truthValue(isPaused_), events);
 }
 
 void TimeSensor::tell(const Fields& fields, double now, double elapsed, std::vector<SceneEvent>& events)
@@ -117,7 +98,7 @@ std::vector<SceneEvent> TimeSensor::advance(double now)
         start_ = now_.startTime;
         pausedFor_ = lastElapsed_ = 0;
         lastCycle_ = -1;
-        send("isActive", truth(true), events);
+        send("isActive", truthValue(true), events);
     }
     const bool wasPaused = isPaused_;
     pause(now_, now, events);
@@ -127,8 +108,8 @@ std::vector<SceneEvent> TimeSensor::advance(double now)
     if (isOver && wasActive) {
         isActive_ = false;
         spentStart_ = now_.startTime;
-        if (std::exchange(isPaused_, false)) send("isPaused", truth(false), events);
-        send("isActive", truth(false), events);
+        if (std::exchange(isPaused_, false)) send("isPaused", truthValue(false), events);
+        send("isActive", truthValue(false), events);
         return events;
     }
     isDue_ = isOver;

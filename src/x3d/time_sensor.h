@@ -39,7 +39,6 @@ private:
         bool enabled, loop;
         double cycleInterval, startTime, stopTime, pauseTime, resumeTime;
     };
-    double number(const char* field) const;
     Fields fields() const;
     bool begins(const Fields& fields, double now) const;
     bool ends(const Fields& fields, double now, double& elapsed) const;

@@ -1,6 +1,6 @@
 #include "x3d/view_session.h"
 
-#include <limits>
+#include "x3d/node_cameras.h"
 
 namespace vo {
 
@@ -32,40 +32,24 @@ bool ViewSession::sendLevels()
     return events_.changes() != before;
 }
 
-namespace {
-
-struct Extent
-{
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-    void add(const glm::dmat4& worldFromLocal, const glm::dvec3& local)
-    {
-        const glm::dvec3 point(worldFromLocal * glm::dvec4(local, 1.0));
-        low = glm::min(low, point);
-        high = glm::max(high, point);
-    }
-};
-
-} // namespace
-
 SceneBounds boundsOf(const StyledScene& scene)
 {
-    Extent extent;
+    ViewBox world;
+    const auto add = [&world](const glm::dmat4& worldFromLocal, const std::vector<glm::vec3>& positions) {
+        for (const glm::vec3& position : positions)
+            world.add(glm::dvec3(worldFromLocal * glm::dvec4(position, 1.0)));
+    };
     for (const StyledVolume& volume : scene.volumes) {
-        for (int corner = 0; corner < 8 && !volume.tetras; ++corner) {
-            const glm::dvec3 sign(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
-            extent.add(volume.worldFromLocal, sign * glm::dvec3(volume.dimensions));
-        }
-        if (!volume.tetras) continue;
-        for (const glm::vec3& position : volume.tetras->positions)
-            extent.add(volume.worldFromLocal, glm::dvec3(position));
+        const glm::dvec3 half = glm::dvec3(volume.dimensions) * 0.5;
+        if (volume.tetras)
+            add(volume.worldFromLocal, volume.tetras->positions);
+        else
+            world.add(ViewBox{-half, half}, volume.worldFromLocal);
     }
     for (const StyledSurface& surface : scene.surfaces)
-        for (const glm::vec3& position : surface.positions)
-            extent.add(surface.worldFromLocal, glm::dvec3(position));
-    if (!(extent.low.x <= extent.high.x)) return {};
-    return {(extent.low + extent.high) * 0.5, glm::length(extent.high - extent.low) * 0.5};
+        add(surface.worldFromLocal, surface.positions);
+    if (world.isEmpty()) return {};
+    return {(world.low + world.high) * 0.5, glm::length(world.high - world.low) * 0.5};
 }
 
 } // namespace vo
