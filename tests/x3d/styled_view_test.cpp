@@ -100,6 +100,10 @@ TEST(StyledView, withoutViewpointAllIsSeen)
             const glm::dvec3 seen = inPicture(s.drawn, moved(volume.worldFromLocal, at));
             EXPECT_LE(std::max({std::abs(seen.x), std::abs(seen.y), std::abs(seen.z)}), 1.0);
         }
+    // A ball round the box of all fits into the angle, and no more.
+    const double radius = std::hypot(101.0, 8.0, 51.0) / 2.0;
+    expectNear(glm::dvec3(glm::inverse(s.drawn.eyeFromWorld)[3]),
+               {50.0, 3.5, -25.0 + radius / std::sin(0.785398 / 2.0)}, 1e-4);
 }
 
 TEST(StyledView, orthoViewpointShowsItsRectangleWhole)
@@ -145,6 +149,7 @@ TEST(StyledView, viewAllMovesTheEyeAndKeepsItsDirection)
     const glm::dmat4 worldFromEye = glm::inverse(s.drawn.eyeFromWorld);
     expectNear(glm::dvec3(worldFromEye[2]), {1, 0, 0});
     EXPECT_NEAR(worldFromEye[3].y, 9.0, 1e-6);
+    EXPECT_NEAR(worldFromEye[3].x, std::sqrt(0.75) / std::sin(0.785398 / 2.0), 1e-5);
     EXPECT_LE(std::abs(inPicture(s.drawn, {0.5, 9.5, 0.5}).y), 1.0);
 }
 
@@ -154,6 +159,9 @@ TEST(StyledView, nearAndFarPlanesHoldAllThatIsBeforeTheEye)
                         "</Transform>" + kVolume);
     EXPECT_GT(inPicture(s.drawn, {0, 0, 0.5}).z, -1.0);
     EXPECT_LT(inPicture(s.drawn, {0, 0, -1000.5}).z, 1.0);
+    const ViewedScene near("<Viewpoint position='0 0 3'/>" + kVolume);
+    EXPECT_LT(inPicture(near.drawn, {0, 0, 0.55}).z, -1.0) << "no farther before it than needed";
+    EXPECT_GT(inPicture(near.drawn, {0, 0, -0.55}).z, 1.0) << "nor behind it";
 }
 
 TEST(StyledView, headlightShinesFromTheEye)

@@ -104,6 +104,14 @@ TEST(SurfaceShapes, partsOfCylinderAndConeMayBeMissing)
     EXPECT_NEAR(wholeArea(surfaceOf("<Cylinder side='false' bottom='false'/>")), kDisk, 1e-5);
     EXPECT_NEAR(wholeArea(surfaceOf("<Cylinder side='false'/>")), 2 * kDisk, 1e-5);
     EXPECT_NEAR(wholeArea(surfaceOf("<Cone side='false'/>")), kDisk, 1e-5);
+    const StyledSurface foot = surfaceOf("<Cylinder side='false' top='false'/>");
+    EXPECT_NEAR(wholeArea(foot), kDisk, 1e-5);
+    for (const glm::vec3& normal : foot.normals)
+        EXPECT_EQ(normal, glm::vec3(0, -1, 0));
+    // 48 triangles from the chords to the top, 2 above the middle of the foot.
+    const double angle = std::numbers::pi / 48.0;
+    EXPECT_NEAR(wholeArea(surfaceOf("<Cone bottom='false'/>")),
+                48.0 * std::sin(angle) * std::hypot(2.0, std::cos(angle)), 1e-5);
 }
 
 TEST(SurfaceShapes, concavePolygonIsCutIntoItsArea)
