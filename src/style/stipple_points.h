@@ -25,11 +25,9 @@ constexpr std::size_t kStipplePoints = std::size_t{1} << 24;
 /// evenly over its box. The equations are those of the proposal of 2005 (section 4.10), in which
 ///
 /// - Cv is the voxel's opacity after the volume's chain, of a unit of length; the points have its colour;
-/// - Df is the gradient as styles have it in |Df|, and -n in Df.V; Tb has its second term where n is turned
-/// at
-///   least gradientThreshold away from the line of sight;
-/// - Td: z is how far the voxel is in front of the volume's farthest corner, a the same of the nearest
-/// corner;
+/// - Df is the gradient as styles have it in |Df|, and -n in Df.V;
+/// - Tb has its second term where n is turned at least gradientThreshold away from the line of sight;
+/// - Td: z is how far the voxel is in front of the volume's farthest corner, a the same of the nearest;
 /// - Tl: n.Li, 0 where it is negative, in place of Li.Df; a factor for each light;
 /// - Tr: 1 without StippleFactors::originalDistance.
 ///
