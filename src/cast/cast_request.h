@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/cast_depth.h"
 #include "core/box.h"
 #include "core/record_layout.h"
 #include "geometry/tetra_view.h"
@@ -51,16 +52,6 @@ struct CastShading
     glm::vec4 color{1.0f}; ///< the current colour, for records without one of their own
     bool replace = false;  ///< texture environment GL_REPLACE
     bool flat = false;     ///< a polygon has the colour of its first vertex
-};
-
-/// Opaque things of the caller's, in window depths (0 to 1).
-struct CastDepth
-{
-    std::span<const float>
-        depths;             ///< one a pixel of the viewport, rows from the bottom; empty: no depth test
-    bool orEqual = false;   ///< GL_LEQUAL, else GL_LESS
-    double nearDepth = 0.0; ///< as glDepthRange
-    double farDepth = 1.0;
 };
 
 /// One frame of one volume for the CPU engine. Everything is borrowed for the call.

@@ -2,6 +2,7 @@
 
 #include "cast/scene_points.h"
 #include "cast/scene_surfaces.h"
+#include "cast/sight_limits.h"
 #include "cast/sky.h"
 #include "cast/styled_rays.h"
 #include "core/parallel.h"
@@ -9,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -49,14 +51,26 @@ struct Stream
     TetraTile tetras;
 };
 
+/// All that the tiles of a picture share.
+struct TileRequest
+{
+    const StyledScene& scene;
+    const SceneRays& rays;
+    const SightLimits& limits;
+    const CastSurfaces& surfaces;
+    const CastPoints& points;
+    const std::vector<CastVolume>& volumes;
+};
+
 /// Colours of the pixels of one tile.
 class TileCaster
 {
 public:
-    TileCaster(const StyledScene& scene, const SceneRays& rays, const CastSurfaces& surfaces,
-               const CastPoints& points, const std::vector<CastVolume>& volumes)
-        : rays_(rays), sky_(scene.background, rays.worldFromEye()), surfaces_(surfaces), points_(points)
+    explicit TileCaster(const TileRequest& request)
+        : rays_(request.rays), sky_(request.scene.background, request.rays.worldFromEye()),
+          limits_(request.limits), surfaces_(request.surfaces), points_(request.points)
     {
+        const std::vector<CastVolume>& volumes = request.volumes;
         streams_.reserve(volumes.size());
         for (const CastVolume& volume : volumes)
             streams_.push_back({&volume, StyledRay(volume), {}, {}});
@@ -78,7 +92,9 @@ private:
     Pixel castPixel(int x, int y, std::size_t index)
     {
         const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
-        const SurfaceFragment& opaque = opaqueAt(index);
+        const double limit = limits_.at(x, y);
+        SurfaceFragment opaque = opaqueAt(index);
+        if (limit <= opaque.depth) opaque = {limit, glm::vec4(0.0f)};
         fragments_ = surfaceTile_.translucent(index);
         while (!fragments_.empty() && fragments_.back().depth >= opaque.depth)
             fragments_ = fragments_.first(fragments_.size() - 1);
@@ -94,10 +110,15 @@ private:
         while (!pixel.done() && addNearest(pixel)) {
         }
         if (opaque.color.a > 0.0f) pixel.add(opaque.color, opaque.depth);
+        if (limit == std::numeric_limits<double>::infinity()) addSky(ray, pixel);
+        return pixel;
+    }
+
+    void addSky(const DepthRay& ray, Pixel& pixel) const
+    {
         const glm::vec4 behind = sky_.at(ray.direction);
         pixel.color += glm::vec3(behind) * pixel.through;
         pixel.through *= 1.0f - behind.a;
-        return pixel;
     }
 
     const SurfaceFragment& opaqueAt(std::size_t pixel) const
@@ -176,6 +197,7 @@ private:
 
     const SceneRays& rays_;
     Sky sky_;
+    const SightLimits& limits_;
     const CastSurfaces& surfaces_;
     const CastPoints& points_;
     SurfaceTile surfaceTile_;
@@ -227,8 +249,10 @@ struct SceneCaster::Private
 SceneCaster::SceneCaster() : d(std::make_unique<Private>()) {}
 SceneCaster::~SceneCaster() = default;
 
-void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& picture)
+void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& picture, const CastDepth& there)
 {
+    assert(there.depths.empty() || there.depths.size() == static_cast<std::size_t>(scene.width) *
+                                                              static_cast<std::size_t>(scene.height));
     clear(scene, picture);
     const std::optional<SceneRays> rays = SceneRays::of(scene);
     if (!rays) return;
@@ -236,8 +260,9 @@ void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& pict
     const std::vector<CastVolume> volumes = d->volumesOf(scene, *rays, grid, threads);
     const CastSurfaces surfaces(scene, *rays, grid);
     const CastPoints points(scene, *rays, grid, threads);
+    const SightLimits limits(there, *rays, scene.width);
     parallelFor(grid.count(), threads, [&](std::size_t i) {
-        TileCaster(scene, *rays, surfaces, points, volumes).cast(grid.tile(i), picture);
+        TileCaster({scene, *rays, limits, surfaces, points, volumes}).cast(grid.tile(i), picture);
     });
 }
 

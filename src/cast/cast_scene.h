@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/cast_depth.h"
 #include "style/styled_scene.h"
 
 #include <memory>
@@ -21,8 +22,9 @@ public:
     SceneCaster& operator=(const SceneCaster&) = delete;
 
     /// `threads`: at most so many; 0: as many as the machine has. The picture is the same, bit for bit, for
-    /// any number. Throws std::bad_alloc.
-    void cast(const StyledScene& scene, int threads, ScenePicture& picture);
+    /// any number. `there`: opaque things that are no part of the scene; what they hide is left out, and
+    /// before them there is no sky. Throws std::bad_alloc.
+    void cast(const StyledScene& scene, int threads, ScenePicture& picture, const CastDepth& there = {});
 
 private:
     struct Private;

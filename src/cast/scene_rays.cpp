@@ -76,6 +76,12 @@ glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye)
     return {(clip.x + clip.w) * 0.5 * scene.width, (clip.y + clip.w) * 0.5 * scene.height, clip.w};
 }
 
+double SceneRays::depthAt(double x, double y, double z) const
+{
+    const glm::dvec4 point = eyeFromClip_ * glm::dvec4(x * pixel_.x - 1.0, y * pixel_.y - 1.0, z, 1.0);
+    return -point.z / point.w;
+}
+
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray)
 {
     return {glm::dvec3(matrix * glm::dvec4(ray.origin, 1.0)),

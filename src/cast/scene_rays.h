@@ -38,6 +38,8 @@ public:
 
     /// Of a point of the picture in pixels from its left and lower edge, in eye space.
     DepthRay ray(double x, double y) const;
+    /// Eye depth of a normalised device coordinate z under such a point.
+    double depthAt(double x, double y, double z) const;
     /// From the near to the far plane, both of which lie across the view.
     const DepthRange& depths() const { return depths_; }
     const glm::dmat4& worldFromEye() const { return worldFromEye_; }

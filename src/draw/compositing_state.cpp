@@ -1,6 +1,6 @@
 #include "draw/compositing_state.h"
 
-#include "draw/scoped_state.h"
+#include "draw/read_depths.h"
 
 #include <algorithm>
 #include <array>
@@ -28,14 +28,6 @@ constexpr Equation kOpacity{GL_FUNC_ADD, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
 constexpr Equation kKept{GL_FUNC_ADD, GL_ZERO, GL_ONE};
 constexpr Equation kSum{GL_FUNC_ADD, GL_ONE, GL_ONE};
 constexpr Equation kAlphaSum{GL_FUNC_ADD, GL_SRC_ALPHA, GL_ONE};
-
-bool hasAttachment(const GladGLContext& gl, bool ownFramebuffer, GLenum ofWindow, GLenum ofFramebuffer)
-{
-    GLint type = GL_NONE;
-    gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, ownFramebuffer ? ofFramebuffer : ofWindow,
-                                           GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    return type != GL_NONE;
-}
 
 /// The buffer that fragments go to is one of numbers of fixed point, which clamp.
 bool clampsColors(const GladGLContext& gl, bool ownFramebuffer)
@@ -116,10 +108,9 @@ std::string obstacleInFramebuffer(const GladGLContext& gl)
     return "";
 }
 
-std::string obstacleInDepth(const GladGLContext& gl, bool ownFramebuffer, CompositingState& state)
+std::string obstacleInDepth(const GladGLContext& gl, CompositingState& state)
 {
-    state.depthTest =
-        gl.IsEnabled(GL_DEPTH_TEST) && hasAttachment(gl, ownFramebuffer, GL_DEPTH, GL_DEPTH_ATTACHMENT);
+    state.depthTest = gl.IsEnabled(GL_DEPTH_TEST) && hasDepthBuffer(gl);
     if (!state.depthTest) return "";
     if (writesDepths(gl)) return "depths are written";
     const GLint function = integer(gl, GL_DEPTH_FUNC);
@@ -181,8 +172,7 @@ std::string readCompositingState(const ContextRecord& context, const DrawState& 
     const bool ownFramebuffer = integer(gl, GL_DRAW_FRAMEBUFFER_BINDING) != 0;
     if (unbounded && clampsColors(gl, ownFramebuffer))
         return "colours may lie outside 0 to 1, where the framebuffer clamps them";
-    if (const std::string obstacle = obstacleInDepth(gl, ownFramebuffer, state); !obstacle.empty())
-        return obstacle;
+    if (const std::string obstacle = obstacleInDepth(gl, state); !obstacle.empty()) return obstacle;
     if (const std::string obstacle = countedFragments(gl); !obstacle.empty()) return obstacle;
     gl.GetIntegerv(GL_VIEWPORT, state.viewport);
     readClipPlanes(gl, draw, state);
@@ -228,20 +218,6 @@ ScopedJoinedBlending::~ScopedJoinedBlending()
 bool framebufferIsComplete(const ContextRecord& context)
 {
     return context.gl.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
-void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths)
-{
-    const GladGLContext& gl = context.gl;
-    // What lies outside the framebuffer is not read, and not drawn either.
-    depths.assign(static_cast<std::size_t>(viewport[2]) * static_cast<std::size_t>(viewport[3]), 1.0f);
-    const ScopedReadState scope(gl, context.core);
-    const GLint drawn = integer(gl, GL_DRAW_FRAMEBUFFER_BINDING);
-    const GLint read = integer(gl, GL_READ_FRAMEBUFFER_BINDING);
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn));
-    gl.ReadPixels(viewport[0], viewport[1], viewport[2], viewport[3], GL_DEPTH_COMPONENT, GL_FLOAT,
-                  depths.data());
-    gl.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read));
 }
 
 } // namespace vo

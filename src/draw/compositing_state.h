@@ -71,7 +71,4 @@ bool clearFragmentsLeaveNoTrace(const ContextRecord& context);
 /// Whether OpenGL draws into the framebuffer that is bound for drawing.
 bool framebufferIsComplete(const ContextRecord& context);
 
-/// The window depths of the viewport, rows from the bottom.
-void readDepths(const ContextRecord& context, const GLint viewport[4], std::vector<float>& depths);
-
 } // namespace vo

@@ -170,6 +170,8 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     gl.BlendEquation(GL_FUNC_ADD);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.DepthMask(GL_FALSE);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
     if (scene.background.opacity > 0.0f) drawSky(scene, resources, arrays);
     drawOpaque(scene);
     drawTranslucent(scene, count);

@@ -17,7 +17,7 @@ out vec2 device;
 void main()
 {
     device = place;
-    gl_Position = vec4(place, 0.0, 1.0);
+    gl_Position = vec4(place, 1.0, 1.0);
 }
 )";
 

@@ -5,7 +5,8 @@
 
 namespace vo {
 
-/// Draws the background over the whole viewport, with the blending that is set.
+/// Draws the background over the whole viewport, as far away as can be, with the blending and the depth test
+/// that are set.
 void drawSky(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays);
 
 } // namespace vo

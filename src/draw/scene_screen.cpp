@@ -3,12 +3,14 @@
 #include "core/environment.h"
 #include "draw/blend_texture.h"
 #include "draw/draw_scene.h"
+#include "draw/read_depths.h"
 #include "draw/scene_programs.h"
 #include "draw/scene_state.h"
 #include "draw/scoped_state.h"
 
 #include <cstring>
 #include <stdexcept>
+#include <vector>
 
 namespace vo {
 
@@ -18,6 +20,7 @@ struct SceneScreen::Private
     ScenePrograms programs{context};
     SceneDrawer drawer;
     GLuint texture = 0, vertexArray = 0;
+    std::vector<float> depths;
 
     ~Private()
     {
@@ -52,6 +55,12 @@ SceneScreen::Private& SceneScreen::opened()
 void SceneScreen::draw(const StyledScene& scene)
 {
     opened().drawer.draw(scene);
+}
+
+CastDepth SceneScreen::readDepths(int width, int height)
+{
+    Private& own = opened();
+    return depthsThere(own.context.gl, own.context.core, width, height, own.depths);
 }
 
 void SceneScreen::show(const ScenePicture& picture)

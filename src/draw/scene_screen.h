@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/cast_depth.h"
 #include "style/styled_scene.h"
 
 #include <memory>
@@ -19,8 +20,11 @@ public:
 
     /// Draws a scene (SceneDrawer).
     void draw(const StyledScene& scene);
-    /// Blends a finished picture over what is there, without a look at depths. The viewport becomes its size;
-    /// all state is given back.
+    /// The depths that are there, of width x height pixels from the lower left corner; empty without a depth
+    /// buffer. Valid until it is called again.
+    CastDepth readDepths(int width, int height);
+    /// Blends a finished picture over what is there, without a look at depths: it has what they leave. The
+    /// viewport becomes its size; all state is given back.
     void show(const ScenePicture& picture);
     /// Whether the environment's VO_ENGINE says cast, or OpenGL runs on the processor and it does not say
     /// slices: then a finished picture is there sooner.

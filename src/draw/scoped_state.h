@@ -39,6 +39,23 @@ private:
     GLint buffer_ = 0;
 };
 
+/// The caller's framebuffer for reading, bound again at the end of the scope.
+class ScopedReadFramebuffer
+{
+public:
+    explicit ScopedReadFramebuffer(const GladGLContext& gl) : gl_(gl)
+    {
+        gl_.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound_);
+    }
+    ~ScopedReadFramebuffer() { gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound_)); }
+    ScopedReadFramebuffer(const ScopedReadFramebuffer&) = delete;
+    ScopedReadFramebuffer& operator=(const ScopedReadFramebuffer&) = delete;
+
+private:
+    const GladGLContext& gl_;
+    GLint bound_ = 0;
+};
+
 /// The caller's state that draws touch: program, vertex array, array buffer, active texture unit, the texture
 /// of the unit that carries the table, and the samplers of both units.
 class ScopedDrawState

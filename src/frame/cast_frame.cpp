@@ -5,6 +5,7 @@
 #include "core/log.h"
 #include "draw/composite_picture.h"
 #include "draw/compositing_state.h"
+#include "draw/read_depths.h"
 #include "lookup/brick_texels.h"
 #include "polygonize/line_of_sight.h"
 
@@ -70,7 +71,7 @@ void setOpacityGauge(const ContextRecord& context, const Camera& camera, CastReq
 void readDepths(ContextRecord& context, const CompositingState& state, CastRequest& cast)
 {
     if (!state.depthTest) return;
-    readDepths(context, state.viewport, context.depths);
+    vo::readDepths(context.gl, context.core, state.viewport, context.depths);
     cast.depth = {context.depths, state.depthOrEqual, state.depthRange[0], state.depthRange[1]};
 }
 

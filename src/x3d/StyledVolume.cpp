@@ -9,6 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/invertible.h"
+#include "style/shadow_textures.h"
 #include "x3d/node_lights.h"
 #include "x3d/node_transform.h"
 #include "x3d/node_values.h"
@@ -120,6 +121,17 @@ std::shared_ptr<const StyledTetras> tetrasOf(const voIndexedTetraSet& set, voInt
     return tetras;
 }
 
+/// What is made of the nodes of a scene, for as long as the style is one of them. The scene is kept, too.
+struct KeptStyles
+{
+    explicit KeptStyles(std::shared_ptr<Scene> whole) : scene(std::move(whole)) {}
+
+    std::shared_ptr<Scene> scene;
+    ViewMessages messages{*scene};
+    VoxelTextures textures{*scene, messages};
+    VolumeStyles styles{textures, messages};
+};
+
 /// Edges of the tetrahedra against the same in voxels, on average: how large a voxel is.
 double voxelEdge(const StyledTetras& tetras, const VoxelSize& size)
 {
@@ -146,12 +158,19 @@ struct voX3DStyledVolume::Private
     voIndexedTetraSet* tetras;
     voInterleavedArrayType format;
 
-    std::shared_ptr<Scene> scene; // of the style
+    std::unique_ptr<KeptStyles> kept;
     const Node* style = nullptr;
     bool headlight = true;
     std::vector<StyleLight> lights; // of eye space
     StyledVolume volume;
+    ShadowStore shadows;
     ScenePainter painter;
+
+    void setStyle(const Node* node)
+    {
+        if (!kept || kept->scene != face.d->scene) kept = std::make_unique<KeptStyles>(face.d->scene);
+        style = node;
+    }
 
     void copy()
     {
@@ -184,6 +203,7 @@ struct voX3DStyledVolume::Private
                 glm::translate(placed.worldFromLocal, glm::dvec3(placed.dimensions) * 0.5);
         if (!applyStyle(placed)) return made;
         light(placed);
+        shadows.add(placed, 0);
         made.volumes.push_back(std::move(placed));
         return made;
     }
@@ -192,14 +212,11 @@ private:
     /// False: it is not enabled.
     bool applyStyle(StyledVolume& placed)
     {
-        ViewMessages messages(*scene);
-        VoxelTextures textures(*scene, messages);
         if (!style) {
             placed.chains = {{}};
             return true;
         }
-        DrawnStyle drawn =
-            VolumeStyles(textures, messages).of(style, style->edition(), {*placed.voxels, placed.dimensions});
+        DrawnStyle drawn = kept->styles.of(style, style->edition(), {*placed.voxels, placed.dimensions});
         if (drawn.isSurface) placed.surfaces = IsoSurfaces{{0.5f}, {drawn.chain}, 0.0f, nullptr};
         placed.chains = {std::move(drawn.chain)};
         placed.projection = drawn.projection;
@@ -219,8 +236,9 @@ private:
 
 voX3DStyledVolume::voX3DStyledVolume(voX3DScene& scene, const voX3DNode& style, voBrickSetCollection* bricks,
                                      voIndexedTetraSet* tetras, voInterleavedArrayType format)
-    : d(new Private{scene, bricks, tetras, format, scene.d->scene, nullptr, true, {}, {}, {}})
+    : d(new Private{scene, bricks, tetras, format, nullptr, nullptr, true, {}, {}, {}, {}})
 {
+    d->setStyle(nullptr);
     update();
     setStyle(style);
 }
@@ -238,8 +256,7 @@ void voX3DStyledVolume::setStyle(const voX3DNode& style)
             node = static_cast<const Node*>(d->face.own(style));
             if (!isOf(node, "X3DVolumeRenderStyleNode")) badValue(node->typeName() + " is no style");
         }
-        d->style = node;
-        d->scene = d->face.d->scene;
+        d->setStyle(node);
     });
 }
 

@@ -28,7 +28,7 @@ void ScenePainter::draw(voEngine engine, const MakeScene& scene)
         return;
     }
     ScenePicture picture;
-    caster_.cast(made, 0, picture);
+    caster_.cast(made, 0, picture, screen_->readDepths(made.width, made.height));
     screen_->show(picture);
 }
 

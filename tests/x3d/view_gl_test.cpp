@@ -67,6 +67,37 @@ TEST(ViewGl, bothEnginesMixInGradientColors)
     expectOnePicture(kGradientScene);
 }
 
+/// Opaque things of the program stand before the sky, and hide what is behind them.
+TEST(ViewGl, theSkyIsBehindWhatTheProgramHasDrawn)
+{
+    const auto context = vo::openOffscreen({.width = 8, .height = 8, .floatColor = true});
+    ASSERT_TRUE(context);
+    const GladGLContext& gl = context->gl();
+    voX3DScene scene;
+    ASSERT_TRUE(scene.readText(kScene, std::char_traits<char>::length(kScene), "test"));
+    voX3DView view(scene);
+    view.setSize(8, 8);
+    for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST}) {
+        context->clear();
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(0, 0, 4, 8);
+        gl.ClearColor(1, 0.5, 0, 1);
+        gl.ClearDepth(0.0);
+        gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl.Disable(GL_SCISSOR_TEST);
+        gl.ClearDepth(1.0);
+        ASSERT_TRUE(view.draw(engine)) << voError::getErrorString();
+        const auto found = context->readFloats();
+        EXPECT_FLOAT_EQ(found[0], 1.0f) << engine;
+        EXPECT_FLOAT_EQ(found[1], 0.5f) << engine;
+        EXPECT_FLOAT_EQ(found[4 * 7 + 1], 0.0f) << engine;
+        EXPECT_FLOAT_EQ(found[4 * 7 + 2], 0.25f) << engine << ": the sky";
+        EXPECT_GT(found[4 * (4 * 8 + 4)], 0.1f) << engine << ": the volume";
+        EXPECT_FLOAT_EQ(found[4 * (4 * 8 + 3)], 1.0f) << engine << ": the volume is hidden";
+    }
+    view.releaseDrawing();
+}
+
 TEST(ViewGl, anotherContextIsRefusedUntilDrawingIsReleased)
 {
     const auto first = vo::openOffscreen({.width = 8, .height = 8}),

@@ -76,8 +76,9 @@ public:
     double getCycle();
 
     /** Draws into the framebuffer of the current context (OpenGL 3.3 or later, with a depth buffer), over what is there,
-        its viewport being the whole size; state is given back. CAST computes the picture and copies it; AUTOMATIC does
-        that where OpenGL runs on the processor, or VO_ENGINE says cast, else SLICES. VO_FALSE with UNSUPPORTED where
+        its viewport being the whole size; state is given back. What lies behind the depths that are there is hidden, the
+        sky behind all of them; the depths of opaque Shapes are added by SLICES alone. CAST reads depths, computes the
+        picture and copies it; AUTOMATIC does that where OpenGL runs on the processor, or VO_ENGINE says cast, else SLICES. VO_FALSE with UNSUPPORTED where
         there is no context or it cannot. */
     voBool draw(voEngine engine = voEngineScope::AUTOMATIC);
     /** Lets go of what draw() keeps in the current context; it may then be called in another. */

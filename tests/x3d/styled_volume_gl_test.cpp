@@ -1,0 +1,367 @@
+// A program's own volume in OpenGL: both engines beside the reference in double precision, and behind what
+// the program has drawn before, by closed forms.
+
+#include "offscreen/offscreen.h" // before headers that name OpenGL's own
+
+#include "support/styled_reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <gtest/gtest.h>
+#include <string>
+
+#include <vo/Error.h>
+#include <vo/x3d/StyledVolume.h>
+
+namespace {
+
+using namespace vo;
+using vo::test::styledReference;
+using vo::test::styleWithReference;
+
+constexpr int kPixels = 48;
+constexpr int kVoxels = 8;
+/// Decibels of all four channels, peak 1.
+constexpr double kAlike = 45.0;
+
+const voEngine kEngines[] = {voEngineScope::SLICES, voEngineScope::CAST};
+
+/// kVoxels along each axis: of one value, or a soft ball.
+class Voxels
+{
+public:
+    explicit Voxels(int value = -1)
+        : bricks(kVoxels, kVoxels, kVoxels, kVoxels, kVoxels, kVoxels, voPartialBrickTypeScope::AUGMENT, 0,
+                 voInternalFormatTypeScope::INTENSITY8_EXT, voExternalFormatTypeScope::LUMINANCE,
+                 voDataTypeScope::UNSIGNED_BYTE, voInterpolationTypeScope::_3D)
+    {
+        for (int i = 0; i < kVoxels * kVoxels * kVoxels; ++i) {
+            const glm::dvec3 place(i % kVoxels, i / kVoxels % kVoxels, i / kVoxels / kVoxels);
+            const double distance = glm::length(place - glm::dvec3(3.2, 3.5, 3.9));
+            values.push_back(static_cast<unsigned char>(
+                value >= 0 ? value : std::clamp(200.0 - 45.0 * distance, 0.0, 200.0) + 8.0 * place.x));
+        }
+        bricks.getCurrentBrickSet()->getBrick(0)->setDataPtr(values.data());
+    }
+
+    std::vector<unsigned char> values;
+    voBrickSetCollection bricks;
+};
+
+/// The volume, turned about its middle, ten in front of the eye.
+glm::dmat4 turned()
+{
+    glm::dmat4 model = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, -14.0));
+    model = glm::rotate(model, 0.7, glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
+    return glm::translate(model, glm::dvec3(-0.5 * kVoxels));
+}
+
+/// What voX3DStyledVolume says that it draws: opacities are those of a voxel, lit from the eye.
+StyledScene sceneOf(const Voxels& voxels, const glm::dmat4& model, const glm::dmat4& projection)
+{
+    auto texture = std::make_shared<VoxelTexture>();
+    texture->size = {kVoxels, kVoxels, kVoxels};
+    for (const unsigned char value : voxels.values)
+        texture->texels.push_back(std::byte{value});
+    StyledScene scene;
+    scene.width = scene.height = kPixels;
+    scene.clipFromEye = projection;
+    scene.background.opacity = 0.0f;
+    StyledVolume volume;
+    volume.voxels = texture;
+    volume.dimensions = glm::vec3(kVoxels);
+    volume.worldFromLocal = glm::translate(model, glm::dvec3(0.5 * kVoxels));
+    StyleLight headlight;
+    headlight.direction = glm::vec3(glm::inverse(glm::dmat3(model)) * glm::dvec3(0, 0, -1));
+    volume.surroundings.lights = {headlight};
+    scene.volumes = {volume};
+    return scene;
+}
+
+double psnr(const std::vector<float>& picture, const std::vector<double>& reference)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        sum += std::pow(static_cast<double>(picture[i]) - reference[i], 2.0);
+    return -10.0 * std::log10(sum / static_cast<double>(picture.size()));
+}
+
+class StyledVolumeGl : public testing::TestWithParam<OffscreenProfile>
+{
+protected:
+    void SetUp() override
+    {
+        OffscreenRequest request;
+        request.profile = GetParam();
+        request.width = request.height = kPixels;
+        request.floatColor = true;
+        std::string whyNot;
+        context_ = openOffscreen(request, &whyNot);
+        ASSERT_TRUE(context_) << whyNot;
+        // What a driver leaves of 8 bits is no matter here.
+        context_->clear();
+    }
+
+    const GladGLContext& gl() const { return context_->gl(); }
+    std::vector<float> drawn(voX3DStyledVolume& volume, const glm::dmat4& model, const glm::dmat4& projection,
+                             voEngine engine)
+    {
+        EXPECT_TRUE(volume.draw(glm::value_ptr(model), glm::value_ptr(projection), kPixels, kPixels, engine))
+            << voError::getErrorString();
+        EXPECT_EQ(gl().GetError(), GLenum(GL_NO_ERROR));
+        return context_->readFloats();
+    }
+    /// An opaque rectangle as a program would have drawn it: its colour, and its depth in the window.
+    void fill(int x, int y, int width, int height, const glm::vec4& color, double depth)
+    {
+        gl().Enable(GL_SCISSOR_TEST);
+        gl().Scissor(x, y, width, height);
+        gl().ClearColor(color.r, color.g, color.b, color.a);
+        gl().ClearDepth(depth);
+        gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        gl().Disable(GL_SCISSOR_TEST);
+        gl().ClearDepth(1.0);
+    }
+
+    std::unique_ptr<OffscreenContext> context_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Profiles, StyledVolumeGl,
+                         testing::Values(OffscreenProfile::Core, OffscreenProfile::Compatibility),
+                         [](const auto& test) {
+                             return test.param == OffscreenProfile::Core ? "core" : "compatibility";
+                         });
+
+const float* pixelAt(const std::vector<float>& picture, int x, int y)
+{
+    return picture.data() + 4 * (y * kPixels + x);
+}
+
+TEST_P(StyledVolumeGl, bothEnginesDrawTheReference)
+{
+    const Voxels voxels;
+    voX3DScene scene;
+    const auto node = [&](const char* type) { return scene.createNode(type); };
+    voX3DNode shaded = node("ShadedVolumeStyle");
+    shaded.setInt("lighting", 1);
+    Shaded lit;
+    lit.lighting = true;
+    struct Case
+    {
+        const char* name;
+        voX3DNode node;
+        vo::test::ReferenceStyle style;
+    };
+    const Case cases[] = {{"map", voX3DNode(), OpacityMap{}},
+                          {"cartoon", node("CartoonVolumeStyle"), Cartoon{}},
+                          {"boundary", node("BoundaryEnhancementVolumeStyle"), BoundaryEnhancement{}},
+                          {"shaded", shaded, lit}};
+    const glm::dmat4 projections[] = {glm::ortho(-8.0, 8.0, -8.0, 8.0, 1.0, 30.0),
+                                      glm::perspective(1.0, 1.0, 1.0, 30.0)};
+    for (const Case& each : cases)
+        for (const glm::dmat4& projection : projections) {
+            StyledScene expected = sceneOf(voxels, turned(), projection);
+            expected.volumes[0].chains = {{styleWithReference(each.style)}};
+            const std::vector<double> reference = styledReference(expected);
+            voX3DStyledVolume volume(scene, each.node, const_cast<voBrickSetCollection*>(&voxels.bricks));
+            for (const voEngine engine : kEngines) {
+                context_->clear();
+                EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike)
+                    << each.name << ", engine " << engine;
+            }
+            EXPECT_GT(reference[4 * (kPixels / 2 * kPixels + kPixels / 2) + 3], 0.3) << each.name;
+        }
+}
+
+TEST_P(StyledVolumeGl, shadowsFallAsInTheReference)
+{
+    const Voxels voxels;
+    voX3DScene scene;
+    voX3DNode shaded = scene.createNode("ShadedVolumeStyle");
+    shaded.setInt("lighting", 1);
+    const glm::dmat4 projection = glm::ortho(-8.0, 8.0, -8.0, 8.0, 1.0, 30.0);
+    Shaded fields;
+    fields.lighting = fields.shadows = true;
+    StyledScene expected = sceneOf(voxels, turned(), projection);
+    expected.volumes[0].chains = {{styleWithReference(fields)}};
+    StyleLight side = expected.volumes[0].surroundings.lights[0];
+    side.direction = glm::vec3(glm::inverse(glm::dmat3(turned())) * glm::dvec3(-1, 0, 0));
+    expected.volumes[0].surroundings.lights = {side};
+    const std::vector<double> reference = styledReference(expected);
+    voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks));
+    volume.setHeadlight(VO_FALSE);
+    volume.addLight(-1, 0, 0, 1);
+    for (const voEngine engine : kEngines) {
+        shaded.setInt("shadows", 0);
+        context_->clear();
+        EXPECT_LT(psnr(drawn(volume, turned(), projection, engine), reference), 35.0)
+            << "shadows change next to nothing";
+        shaded.setInt("shadows", 1);
+        context_->clear();
+        EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike) << engine;
+    }
+}
+
+// ---- What the program has drawn before
+
+constexpr int kValue = 51;
+constexpr double kOpacity = kValue / 255.0;
+
+/// A volume that fills the picture, from z = -12 to -4 before the eye.
+glm::dmat4 ahead()
+{
+    return glm::translate(glm::dmat4(1.0), glm::dvec3(-0.5 * kVoxels, -0.5 * kVoxels, -12.0));
+}
+
+glm::dmat4 ahead(bool perspective)
+{
+    return perspective ? glm::frustum(-0.02, 0.02, -0.02, 0.02, 1.0, 33.0)
+                       : glm::ortho(-3.0, 3.0, -3.0, 3.0, 1.0, 33.0);
+}
+
+/// Where something `distance` before the eye lies in the window.
+double windowDepth(const glm::dmat4& projection, double distance)
+{
+    const glm::dvec4 clip = projection * glm::dvec4(0.0, 0.0, -distance, 1.0);
+    return 0.5 + 0.5 * clip.z / clip.w;
+}
+
+/// The grey of so many voxels over a colour.
+glm::dvec4 over(double voxels, const glm::dvec4& behind)
+{
+    const double alpha = 1.0 - std::pow(1.0 - kOpacity, voxels);
+    return alpha * glm::dvec4(glm::dvec3(kOpacity), 1.0) + (1.0 - alpha) * behind;
+}
+
+void expectColor(const float* pixel, const glm::dvec4& expected, const std::string& what)
+{
+    for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(pixel[c], expected[c], 2e-4) << what << ", channel " << c;
+}
+
+TEST_P(StyledVolumeGl, opaqueThingsInTheMiddleHideTheVoxelsBehindThem)
+{
+    const Voxels voxels(kValue);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, voX3DNode(), const_cast<voBrickSetCollection*>(&voxels.bricks));
+    const glm::vec4 red(0.5f, 0.25f, 0.125f, 1.0f);
+    for (const voEngine engine : kEngines)
+        for (const bool perspective : {false, true}) {
+            const std::string what =
+                std::string(perspective ? "perspective" : "parallel") + ", engine " + std::to_string(engine);
+            const glm::dmat4 projection = ahead(perspective);
+            context_->clear();
+            fill(0, 0, 16, kPixels, red, windowDepth(projection, 9.0));
+            fill(16, 0, 8, kPixels, red, windowDepth(projection, 2.0));
+            fill(24, 0, 8, kPixels, red, windowDepth(projection, 20.0));
+            const auto seen = drawn(volume, ahead(), projection, engine);
+            expectColor(pixelAt(seen, 8, 24), over(5.0, red), what + ", in the middle");
+            expectColor(pixelAt(seen, 20, 24), red, what + ", in front");
+            expectColor(pixelAt(seen, 28, 24), over(8.0, red), what + ", behind");
+            expectColor(pixelAt(seen, 40, 24), over(8.0, glm::dvec4(0.0)), what + ", nowhere");
+        }
+}
+
+TEST_P(StyledVolumeGl, rangesOfDepthsAreTheCallers)
+{
+    const Voxels voxels(kValue);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, voX3DNode(), const_cast<voBrickSetCollection*>(&voxels.bricks));
+    const glm::dmat4 projection = ahead(true);
+    for (const voEngine engine : kEngines) {
+        context_->clear();
+        gl().DepthRange(0.25, 0.5);
+        fill(0, 0, kPixels, kPixels, glm::vec4(1.0f), 0.25 + 0.25 * windowDepth(projection, 9.0));
+        const auto seen = drawn(volume, ahead(), projection, engine);
+        gl().DepthRange(0.0, 1.0);
+        expectColor(pixelAt(seen, 24, 24), over(5.0, glm::dvec4(1.0)), "engine " + std::to_string(engine));
+    }
+}
+
+TEST_P(StyledVolumeGl, projectionsEndAtOpaqueThings)
+{
+    Voxels voxels(0);
+    for (int z = 0; z < kVoxels; ++z)
+        std::fill_n(voxels.values.begin() + z * kVoxels * kVoxels, kVoxels * kVoxels, z < 4 ? 200 : 50);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, scene.createNode("ProjectionVolumeStyle"),
+                             const_cast<voBrickSetCollection*>(&voxels.bricks));
+    const glm::dmat4 projection = ahead(false);
+    for (const voEngine engine : kEngines) {
+        context_->clear();
+        fill(0, 0, 16, kPixels, glm::vec4(1.0f), windowDepth(projection, 7.0));
+        const auto seen = drawn(volume, ahead(), projection, engine);
+        EXPECT_NEAR(pixelAt(seen, 8, 24)[0], 50 / 255.0, 1e-3) << engine << ": the front half alone";
+        EXPECT_NEAR(pixelAt(seen, 40, 24)[0], 200 / 255.0, 1e-3) << engine;
+    }
+}
+
+TEST_P(StyledVolumeGl, framebuffersWithSeveralSamplesHaveDepthsToo)
+{
+    const Voxels voxels(kValue);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, voX3DNode(), const_cast<voBrickSetCollection*>(&voxels.bricks));
+    const glm::dmat4 projection = ahead(false);
+    GLuint framebuffer = 0, buffers[2];
+    gl().GenFramebuffers(1, &framebuffer);
+    gl().GenRenderbuffers(2, buffers);
+    gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    const std::pair<GLenum, GLenum> parts[] = {{GL_COLOR_ATTACHMENT0, GL_RGBA32F},
+                                               {GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24}};
+    for (int i = 0; i < 2; ++i) {
+        gl().BindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
+        gl().RenderbufferStorageMultisample(GL_RENDERBUFFER, 4, parts[i].second, kPixels, kPixels);
+        gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, parts[i].first, GL_RENDERBUFFER, buffers[i]);
+    }
+    if (gl().CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        GTEST_SKIP() << "the driver has no such framebuffer";
+    gl().Viewport(0, 0, kPixels, kPixels);
+    for (const voEngine engine : kEngines) {
+        gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        fill(0, 0, kPixels, kPixels, glm::vec4(1.0f), windowDepth(projection, 9.0));
+        gl().Enable(GL_SCISSOR_TEST);
+        gl().Scissor(0, 0, kPixels, kPixels - 4);
+        ASSERT_TRUE(
+            volume.draw(glm::value_ptr(ahead()), glm::value_ptr(projection), kPixels, kPixels, engine))
+            << voError::getErrorString();
+        EXPECT_TRUE(gl().IsEnabled(GL_SCISSOR_TEST));
+        gl().Disable(GL_SCISSOR_TEST);
+        GLint bound = 0;
+        gl().GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+        EXPECT_EQ(GLuint(bound), framebuffer);
+        gl().GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+        EXPECT_EQ(GLuint(bound), framebuffer);
+        gl().GetIntegerv(GL_RENDERBUFFER_BINDING, &bound);
+        EXPECT_EQ(GLuint(bound), buffers[1]);
+        EXPECT_EQ(gl().GetError(), GLenum(GL_NO_ERROR));
+        gl().BindFramebuffer(GL_DRAW_FRAMEBUFFER, context_->framebuffer());
+        gl().BlitFramebuffer(0, 0, kPixels, kPixels, 0, 0, kPixels, kPixels, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        const auto seen = context_->readFloats();
+        expectColor(pixelAt(seen, 24, 24), over(5.0, glm::dvec4(1.0)), "engine " + std::to_string(engine));
+        expectColor(pixelAt(seen, 24, kPixels - 2), glm::dvec4(1.0), "beyond the scissor");
+    }
+    volume.releaseDrawing();
+    gl().DeleteFramebuffers(1, &framebuffer);
+    gl().DeleteRenderbuffers(2, buffers);
+}
+
+TEST_P(StyledVolumeGl, withoutDepthsNothingIsHidden)
+{
+    OffscreenRequest request;
+    request.profile = GetParam();
+    request.width = request.height = kPixels;
+    request.floatColor = true;
+    request.withDepth = request.withStencil = false;
+    context_ = openOffscreen(request);
+    ASSERT_TRUE(context_);
+    const Voxels voxels(kValue);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, voX3DNode(), const_cast<voBrickSetCollection*>(&voxels.bricks));
+    context_->clear();
+    const auto seen = drawn(volume, ahead(), ahead(false), voEngineScope::CAST);
+    expectColor(pixelAt(seen, 24, 24), over(8.0, glm::dvec4(0.0)), "without depths");
+}
+
+} // namespace
