@@ -37,6 +37,29 @@ DepthRange rangeOfTetra(const TetraView& tetras, int tetra, const glm::dvec3& no
     return range;
 }
 
+/// Of all vertices, which are fewer than corners, where the first and the last are some tetrahedron's.
+std::optional<DepthRange> rangeOfVertices(const TetraView& tetras, const glm::dvec3& normal)
+{
+    const auto vertices =
+        static_cast<int>(tetras.records.size() / static_cast<std::size_t>(tetras.valuesPerVertex));
+    if (static_cast<std::size_t>(vertices) > tetras.indices.size()) return {};
+    DepthRange range{kInfinity, -kInfinity};
+    int nearest = 0, farthest = 0;
+    for (int vertex = 0; vertex < vertices; ++vertex) {
+        const glm::dvec3 p = tetras.position(vertex);
+        const double t = glm::dot(normal, p);
+        if (!(t < range.nearest || t > range.farthest) || !finite(p)) continue;
+        if (t < range.nearest) nearest = vertex;
+        if (t > range.farthest) farthest = vertex;
+        range = {std::min(range.nearest, t), std::max(range.farthest, t)};
+    }
+    const auto belongs = [&](int vertex) {
+        return std::ranges::find(tetras.indices, vertex) != tetras.indices.end();
+    };
+    if (range.empty() || !belongs(nearest) || !belongs(farthest)) return {};
+    return range;
+}
+
 /// Depth of the view volume; empty when it has no end.
 DepthRange rangeOfView(const Camera& camera, const SamplingAxis& axis)
 {
@@ -174,6 +197,7 @@ int firstPlaneInFront(const PlaneFamily& planes, double nearest, double offset)
 
 DepthRange rangeOfSet(const TetraView& tetras, const glm::dvec3& normal)
 {
+    if (const std::optional<DepthRange> range = rangeOfVertices(tetras, normal)) return *range;
     DepthRange range{kInfinity, -kInfinity};
     for (int tetra = 0; tetra < tetras.tetraCount(); ++tetra) {
         const DepthRange own = rangeOfTetra(tetras, tetra, normal);
