@@ -36,6 +36,9 @@ public:
     /// Half a unit in the last place of a coordinate of 128 is 4e-6: noise below this moves no voxel, but
     /// would lose a plane that lies in a face.
     static constexpr double kSnapDistance = 1e-5;
+    /// Rounding leads a slice's vertices out of its tetrahedron by less than this and the distance at which
+    /// faces draw them.
+    static constexpr double kMargin = 2 * kSnapDistance;
 
     struct Entry
     {

@@ -9,6 +9,7 @@
 
 #include "polygonize/box_lattice.h"
 #include "polygonize/interleave-inl.h"
+#include "polygonize/split_section-inl.h"
 #include "polygonize/tetra_sections.h"
 
 #include <algorithm>
@@ -21,15 +22,12 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_MAX_BYTES >= 32
-/// Vertices that a polygon may have here.
-constexpr std::size_t kMostVertices = 8;
 using DoubleTag = hn::CappedTag<double, kMostVertices>;
 constexpr DoubleTag kDoubles;
 constexpr hn::Rebind<float, DoubleTag> kFloats;
 constexpr hn::Rebind<std::int64_t, DoubleTag> kNumbers;
 constexpr std::size_t kLanes = HWY_LANES(double) < kMostVertices ? HWY_LANES(double) : kMostVertices;
 constexpr std::size_t kParts = kMostVertices / kLanes;
-constexpr std::size_t kAxes = 3;
 
 /// A value of each vertex.
 struct Eight
@@ -60,8 +58,6 @@ HWY_INLINE Eight choose(unsigned bits, const Eight& yes, const Eight& no)
     }
     return result;
 }
-
-using Places = std::array<std::int64_t, kMostVertices>;
 
 /// values[from[i]] at i.
 HWY_INLINE Eight pick(const Eight& values, const Places& from)
@@ -146,15 +142,6 @@ private:
 #endif
 };
 
-/// The vertex after each, by how many there are.
-constexpr std::array<Places, kMostVertices + 1> kNext = [] {
-    std::array<Places, kMostVertices + 1> next{};
-    for (std::size_t count = 1; count <= kMostVertices; ++count)
-        for (std::size_t i = 0; i < kMostVertices; ++i)
-            next[count][i] = static_cast<std::int64_t>(i + 1 < count ? i + 1 : 0);
-    return next;
-}();
-
 /// Bits of the vertices after each.
 HWY_INLINE unsigned bitsOfNext(unsigned bits, unsigned count)
 {
@@ -166,71 +153,6 @@ struct Polygon
     Eight at[kAxes];
     unsigned count;
 };
-
-/// The points where edges from `p` to `q`, of these distances, meet a plane.
-template <class Values>
-HWY_INLINE void meet(const Values* p, const Values* q, Values a, Values b, Values* met)
-{
-    const Values s = hn::Div(a, hn::Sub(a, b));
-    const auto atEnd = hn::Eq(s, hn::Set(hn::DFromV<Values>(), 1.0));
-    for (std::size_t axis = 0; axis < kAxes; ++axis)
-        met[axis] = hn::IfThenElse(atEnd, q[axis], hn::Add(p[axis], hn::Mul(s, hn::Sub(q[axis], p[axis]))));
-}
-
-/// Turns edges so that they leave the end that comes first.
-template <class Values>
-HWY_INLINE void inOrder(const Values* p, const Values* q, Values* from, Values* to)
-{
-    const auto sameX = hn::Eq(q[0], p[0]), sameY = hn::And(sameX, hn::Eq(q[1], p[1]));
-    const auto swapped = hn::Or(
-        hn::Lt(q[0], p[0]), hn::Or(hn::And(sameX, hn::Lt(q[1], p[1])), hn::And(sameY, hn::Lt(q[2], p[2]))));
-    for (std::size_t axis = 0; axis < kAxes; ++axis) {
-        from[axis] = hn::IfThenElse(swapped, q[axis], p[axis]);
-        to[axis] = hn::IfThenElse(swapped, p[axis], q[axis]);
-    }
-}
-
-constexpr hn::FixedTag<double, 4> kFour;
-constexpr hn::FixedTag<float, 4> kFourFloats;
-constexpr hn::FixedTag<std::int32_t, 4> kFourInts;
-constexpr hn::FixedTag<float, 8> kEightFloats;
-using Four = hn::Vec<decltype(kFour)>;
-
-template <class Mask>
-HWY_INLINE unsigned bitsOfFour(Mask mask)
-{
-    std::uint8_t bits[8];
-    hn::StoreMaskBits(kFour, mask, bits);
-    return bits[0];
-}
-
-/// What one side of a face has of a slice: 0 to 3 are its vertices, 4 to 7 the cuts of the edges that begin
-/// there.
-struct SplitPart
-{
-    alignas(32) std::array<std::int32_t, kMostVertices> places{};
-    unsigned count = 0;
-    /// Of the numbers of the first five vertices: the place, 8 more for y.
-    alignas(64) std::array<std::int32_t, 16> numbers{};
-};
-/// By how many vertices there are but three, and a bit for each that is below the face: the parts below and
-/// above.
-constexpr std::array<std::array<std::array<SplitPart, 2>, 16>, 2> kSplits = [] {
-    std::array<std::array<std::array<SplitPart, 2>, 16>, 2> splits{};
-    for (unsigned count = 3; count <= 4; ++count)
-        for (unsigned less = 0; less < 1u << count; ++less)
-            for (unsigned side = 0; side < 2; ++side) {
-                SplitPart& part = splits[count - 3][less][side];
-                for (unsigned i = 0; i < count; ++i) {
-                    const bool below = less >> i & 1u, nextBelow = less >> (i + 1) % count & 1u;
-                    if (below == (side == 0)) part.places[part.count++] = static_cast<std::int32_t>(i);
-                    if (below != nextBelow) part.places[part.count++] = static_cast<std::int32_t>(4 + i);
-                }
-                for (std::size_t i = 0; i < 15; ++i)
-                    part.numbers[i] = static_cast<std::int32_t>(i % 3 == 1 ? 8 : 0) + part.places[i / 3];
-            }
-    return splits;
-}();
 
 class SectionCutter
 {
@@ -458,39 +380,12 @@ private:
     {
         const double face = boxes_.axes[axis].faces[regions[axis]];
         const unsigned less = section.less[axis][regions[axis]];
-        Four next[kAxes], from[kAxes], to[kAxes], met[kAxes];
-        const auto after = hn::SetTableIndices(kFour, kNext[section.count].data());
-        for (std::size_t i = 0; i < kAxes; ++i)
-            next[i] = hn::TableLookupLanes(section.at[i], after);
-        inOrder(section.at, next, from, to);
-        const Four at = hn::Set(kFour, face);
-        meet(from, to, hn::Sub(from[axis], at), hn::Sub(to[axis], at), met);
-        met[axis] = at;
-        hn::Vec<decltype(kEightFloats)> all[kAxes];
-        for (std::size_t i = 0; i < kAxes; ++i)
-            all[i] = hn::Combine(kEightFloats, hn::DemoteTo(kFourFloats, met[i]),
-                                 hn::DemoteTo(kFourFloats, section.at[i]));
-#if HWY_MAX_BYTES >= 64
-        const auto xAndY = hn::Combine(kRowFloats, all[1], all[0]);
-        const auto onlyZ = hn::ZeroExtendVector(kRowFloats, all[2]);
-        constexpr std::uint8_t kThird[8] = {0x24, 0x49};
-        const auto third = hn::LoadMaskBits(kRowFloats, kThird);
-#endif
+        const SplitSection split(section.at, section.count, axis, face);
         for (const SplitPart& part : kSplits[section.count - 3][less]) {
             const std::int32_t box = boxAt(regions);
             ++regions[axis];
             if (box < 0) continue;
-            float* const records = append(box, part.count);
-#if HWY_MAX_BYTES >= 64
-            const auto numbers = hn::SetTableIndices(kRowFloats, part.numbers.data());
-            hn::StoreU(hn::IfThenElse(third, hn::TableLookupLanes(onlyZ, numbers),
-                                      hn::TableLookupLanes(xAndY, numbers)),
-                       kRowFloats, records);
-#else
-            const auto places = hn::SetTableIndices(kEightFloats, part.places.data());
-            hn::StoreInterleaved3(hn::TableLookupLanes(all[0], places), hn::TableLookupLanes(all[1], places),
-                                  hn::TableLookupLanes(all[2], places), kEightFloats, records);
-#endif
+            split.store(part, append(box, part.count));
         }
     }
 

@@ -10,9 +10,7 @@ namespace vo {
 
 namespace {
 
-/// Rounding leads a slice's vertices out of its tetrahedron by less than this and the distance at which faces
-/// draw them.
-constexpr double kMargin = 2 * BoxLattice::kSnapDistance;
+constexpr double kMargin = BoxLattice::kMargin;
 constexpr std::size_t kFewFaces = 8;
 
 template <std::size_t kValues>
@@ -99,7 +97,7 @@ void SliceCutter<kValues>::clip(const Polygon& polygon, std::size_t axis, double
 }
 
 template <int kValues>
-void SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes,
+void SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, int begin,
                                CutSections& sections)
 {
     sections_ = &sections;
@@ -110,7 +108,7 @@ void SliceCutter<kValues>::cut(const TetraInBoxes<kValues>& tetra, const PlaneFa
     const bool few = kValues == 3 && describeNear(boxes) && describeBoxes(boxes);
     const TetraSections of{tetra.corners[0].data(), tetra.offsets.data(), tetra.firstInFront.data(),
                            tetra.mirrored};
-    const auto [begin, end] = std::ranges::minmax(tetra.firstInFront);
+    const int end = std::ranges::max(tetra.firstInFront);
     for (sample_ = begin; sample_ < end; ++sample_) {
         if (few) sample_ = cutSections(of, boxes, planes, sample_, end, sections);
         if (sample_ == end) break;

@@ -32,8 +32,8 @@ class SliceCutter
 public:
     explicit SliceCutter(const BoxLattice& lattice) : lattice_(lattice) {}
 
-    /// Slices a tetrahedron with all planes that meet it and appends the parts in boxes.
-    void cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, CutSections& sections);
+    /// Slices a tetrahedron with all planes that meet it, from `begin` on, and appends the parts in boxes.
+    void cut(const TetraInBoxes<kValues>& tetra, const PlaneFamily& planes, int begin, CutSections& sections);
 
 private:
     /// Each axis leaves at most three vertices of one.

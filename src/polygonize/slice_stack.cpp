@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "polygonize/box_cutter.h"
 #include "polygonize/box_lattice.h"
+#include "polygonize/count_halves.h"
 #include "polygonize/look_at_tetras.h"
 #include "polygonize/slice_cutter.h"
 #include "polygonize/slice_tetra.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,7 @@ struct Part
 {
     std::size_t firstTetra = 0, endTetra = 0;
     KeptArray<SlicedTetra> items;
+    KeptArray<HalvedTetra> halved;
     CutSections aside; ///< where boxes have cut slices, until the place of all is known
     /// A row for each box, of one counter more than there are planes: first by how much a plane has more than
     /// the one before, then how much it has, then the place of the next polygon. Behind these, how much each
@@ -121,8 +124,9 @@ public:
     void lookAtAll()
     {
         part_.items.clear();
+        part_.halved.clear();
         part_.aside.clear(job_.tetras.valuesPerVertex);
-        part_.counts.resize(job_.boxes.size() * job_.row());
+        part_.counts.resize(job_.boxes.size() * job_.row() + kCountsBeyond);
         part_.hasPolygons.assign(job_.boxes.size(), 0);
         for (std::size_t tetra = part_.firstTetra; tetra < part_.endTetra; tetra += TetraLooks::kMost)
             lookAtSome(tetra, std::min(TetraLooks::kMost, part_.endTetra - tetra));
@@ -132,39 +136,67 @@ public:
     }
 
 private:
+    struct LookedAt
+    {
+        std::uint32_t tetra;
+        std::uint8_t order;
+        bool mirrored;
+    };
+
     void lookAtSome(std::size_t first, std::size_t count)
     {
         const std::span<const int> vertices = job_.tetras.indices.subspan(4 * first, 4 * count);
         lookAtTetras(job_.places, vertices, looks_);
         for (std::size_t i = 0; i < count; ++i) {
             if (looks_.solid[i] == 0) continue;
-            Corners corners{{}, {}, {}, looks_.mirrored[i] != 0};
-            SlicedTetra item{static_cast<std::uint32_t>(first + i), looks_.box[i], 0,
-                             static_cast<std::uint8_t>(looks_.order[i]), corners.mirrored};
             Planes changes{looks_.changes[0][i], looks_.changes[1][i], looks_.changes[2][i],
                            looks_.changes[3][i]};
-            if (item.box < 0 || job_.own) findCorners(item, corners);
-            if (job_.own) {
-                changes = corners.firstInFront;
-                std::ranges::sort(changes);
-            }
-            if (changes[0] == changes[3]) continue;
-            if (item.box >= 0)
-                addTo(item.box, changes);
-            else if (reachesBoxes(corners))
-                cutAside(item.tetra, corners);
-            item.endAside = static_cast<std::uint32_t>(part_.aside.sections.size());
-            *part_.items.grow(1) = item;
+            const LookedAt tetra{static_cast<std::uint32_t>(first + i),
+                                 static_cast<std::uint8_t>(looks_.order[i]), looks_.mirrored[i] != 0};
+            const std::int32_t box = looks_.box[i];
+            if (box < 0 || job_.own)
+                addCut(tetra, box, changes);
+            else if (changes[0] != changes[3])
+                addWhole(tetra, box, changes);
         }
     }
 
-    void findCorners(const SlicedTetra& item, Corners& corners) const
+    void addWhole(const LookedAt& tetra, std::int32_t box, const Planes& changes)
+    {
+        addTo(box, changes);
+        *part_.items.grow(1) = {tetra.tetra, box, 0, tetra.order, tetra.mirrored};
+    }
+
+    /// What needs its corners, because faces are near or planes its own.
+    void addCut(const LookedAt& tetra, std::int32_t box, Planes& changes)
+    {
+        Corners corners{{}, {}, {}, tetra.mirrored};
+        findCorners(tetra, corners);
+        if (job_.own) {
+            changes = corners.firstInFront;
+            std::ranges::sort(changes);
+        }
+        if (changes[0] == changes[3]) return;
+        if (box >= 0) {
+            addWhole(tetra, box, changes);
+            return;
+        }
+        const int begin = addHalved(tetra, corners, changes[0]);
+        if (begin == changes[3] || !reachesBoxes(corners)) return;
+        cutAside(tetra.tetra, corners, begin);
+        *part_.items.grow(1) = {tetra.tetra, SlicedTetra::kCut,
+                                static_cast<std::uint32_t>(part_.aside.sections.size()), tetra.order,
+                                tetra.mirrored};
+    }
+
+    void findCorners(const LookedAt& tetra, Corners& corners) const
     {
         for (std::size_t i = 0; i < 4; ++i) {
-            corners.vertices[i] = job_.tetras.indices[std::size_t{4} * item.tetra + cornerAt(item.order, i)];
+            corners.vertices[i] =
+                job_.tetras.indices[std::size_t{4} * tetra.tetra + cornerAt(tetra.order, i)];
             corners.places[i] = job_.places + corners.vertices[i];
         }
-        job_.findPlanes(item.tetra, corners.places, corners.firstInFront);
+        job_.findPlanes(tetra.tetra, corners.places, corners.firstInFront);
     }
 
     bool reachesBoxes(const Corners& corners) const
@@ -205,16 +237,75 @@ private:
         counts[changes[3]] -= countOfPolygon(3);
     }
 
-    void cutAside(std::size_t tetra, const Corners& corners)
+    /// What face parts it, if all others are far.
+    std::optional<HalvedTetra> halvesOf(const LookedAt& tetra, const Corners& corners) const
+    {
+        HalvedTetra half{tetra.tetra, tetra.order, tetra.mirrored, 3, 0, 0.0, {-1, -1}};
+        BoxLattice::Cell cell{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            cell[axis] = job_.commonInterval(corners.vertices, axis);
+            if (cell[axis] >= 0) continue;
+            if (half.axis < 3) return {};
+            half.axis = static_cast<std::uint8_t>(axis);
+        }
+        if (half.axis == 3 || !findFace(corners, half, cell)) return {};
+        for (std::size_t side = 0; side < 2; ++side, ++cell[half.axis]) {
+            const auto boxes = lattice_.boxes(cell);
+            if (boxes.size() > 1) return {};
+            if (!boxes.empty()) half.boxes[side] = boxes.front().box;
+        }
+        return half;
+    }
+
+    /// The face between the intervals that hold the corners; `cell` gets the lower one.
+    bool findFace(const Corners& corners, HalvedTetra& half, BoxLattice::Cell& cell) const
+    {
+        const std::size_t axis = half.axis;
+        const auto interval = [&](std::size_t i) {
+            return job_.intervals[static_cast<std::size_t>(corners.vertices[i])][axis];
+        };
+        const auto [low, high] = std::minmax({interval(0), interval(1), interval(2), interval(3)});
+        if (low < 0 || high != low + 1) return false;
+        const auto intervals = lattice_.intervals(static_cast<int>(axis));
+        const auto &lower = intervals[static_cast<std::size_t>(low)],
+                   &upper = intervals[static_cast<std::size_t>(high)];
+        if (lower.next != high) return false;
+        half.face = lower.upper;
+        cell[axis] = low;
+        return std::ranges::all_of(corners.places, [&](const PlacedVertex* vertex) {
+            const double x = vertex->position[axis];
+            return x > lower.lower + BoxLattice::kMargin && x < upper.upper - BoxLattice::kMargin &&
+                   std::abs(x - half.face) > BoxLattice::kMargin;
+        });
+    }
+
+    /// Counts what one face makes of it. Returns the first plane that is left to do.
+    int addHalved(const LookedAt& tetra, const Corners& corners, int begin)
+    {
+        if (job_.own || job_.tetras.valuesPerVertex != 3) return begin;
+        std::optional<HalvedTetra> half = halvesOf(tetra, corners);
+        if (!half) return begin;
+        std::array<StackCount*, 2> counts{};
+        for (std::size_t side = 0; side < 2; ++side)
+            if (half->boxes[side] >= 0) counts[side] = countersOf(half->boxes[side]) + job_.toAside();
+        half->end = countHalves(corners.places, *half, job_.planes, counts);
+        if (half->end == begin) return begin;
+        *part_.halved.grow(1) = *half;
+        *part_.items.grow(1) = {tetra.tetra, SlicedTetra::kHalved, 0, tetra.order, tetra.mirrored};
+        return half->end;
+    }
+
+    /// Slices it with the planes from `begin` on.
+    void cutAside(std::size_t tetra, const Corners& corners, int begin)
     {
         const std::size_t first = part_.aside.sections.size();
         const PlaneFamily planes = job_.planesOf(tetra);
         switch (job_.tetras.valuesPerVertex) {
-        case 3: cutWith<3>(corners, planes); break;
-        case 6: cutWith<6>(corners, planes); break;
-        case 7: cutWith<7>(corners, planes); break;
-        case 9: cutWith<9>(corners, planes); break;
-        case 10: cutWith<10>(corners, planes); break;
+        case 3: cutWith<3>(corners, planes, begin); break;
+        case 6: cutWith<6>(corners, planes, begin); break;
+        case 7: cutWith<7>(corners, planes, begin); break;
+        case 9: cutWith<9>(corners, planes, begin); break;
+        case 10: cutWith<10>(corners, planes, begin); break;
         default: cutRecords(corners, planes); break;
         }
         for (const CutSections::Section& section : part_.aside.sections.all().subspan(first)) {
@@ -224,7 +315,7 @@ private:
     }
 
     template <int kValues>
-    void cutWith(const Corners& corners, const PlaneFamily& planes)
+    void cutWith(const Corners& corners, const PlaneFamily& planes, int begin)
     {
         const int column = job_.tetras.voxelColumn;
         TetraInBoxes<kValues> tetra{{},
@@ -241,7 +332,7 @@ private:
         }
         for (std::size_t axis = 0; axis < 3; ++axis)
             tetra.interval[axis] = job_.commonInterval(corners.vertices, axis);
-        SliceCutter<kValues>(lattice_).cut(tetra, planes, part_.aside);
+        SliceCutter<kValues>(lattice_).cut(tetra, planes, begin, part_.aside);
     }
 
     /// Slices it plane by plane and lets the boxes cut the slices.
@@ -343,8 +434,7 @@ void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
     PolygonStack& stack = *job.stack;
     const SliceTarget target{stack.records.data(), stack.indices.data(), part.counts.data()};
     if (job.tetras.valuesPerVertex == 3 && !job.own) {
-        const TetraSlices slices{items, job.places, job.tetras.indices.data(), job.row()};
-        writePositions(slices, job.planes, target);
+        writePositions(items, {job.places, job.tetras.indices.data(), job.row()}, job.planes, target);
         return;
     }
     for (const SlicedTetra& item : items) {
@@ -364,15 +454,23 @@ void writeTetras(const Job& job, Part& part, std::span<const SlicedTetra> items)
 void writePart(const Job& job, Part& part)
 {
     std::span<const SlicedTetra> items = part.items.all();
+    std::span<const HalvedTetra> halved = part.halved.all();
     AsidePlace aside{0, part.aside.records.data()};
+    const SliceTarget target{job.stack->records.data(), job.stack->indices.data(), part.counts.data()};
     while (!items.empty()) {
-        const auto cut = std::ranges::find_if(items, [](const SlicedTetra& item) { return item.box < 0; });
-        const auto whole = static_cast<std::size_t>(cut - items.begin());
-        writeTetras(job, part, items.first(whole));
-        items = items.subspan(whole);
-        if (items.empty()) break;
-        writeAside(job, part, aside, items.front().endAside);
-        items = items.subspan(1);
+        const std::int32_t kind = std::min(items.front().box, 0);
+        const auto other = std::ranges::find_if(
+            items, [kind](const SlicedTetra& item) { return std::min(item.box, 0) != kind; });
+        const auto run = items.first(static_cast<std::size_t>(other - items.begin()));
+        items = items.subspan(run.size());
+        if (kind == SlicedTetra::kCut)
+            writeAside(job, part, aside, run.back().endAside);
+        else if (kind == SlicedTetra::kHalved) {
+            const TetraSource from{job.places, job.tetras.indices.data(), job.row()};
+            writeHalves(halved.first(run.size()), from, job.planes, target);
+            halved = halved.subspan(run.size());
+        } else
+            writeTetras(job, part, run);
     }
 }
 

@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include "polygonize/interleave-inl.h"
+#include "polygonize/split_section-inl.h"
 #include "polygonize/tetra_sections.h"
 
 #include <algorithm>
@@ -161,12 +162,8 @@ HWY_INLINE void writeAll(const TetraToSlice& tetra, const PlaneFamily& planes, c
 constexpr std::size_t kAhead = 32;
 
 #if HWY_MAX_BYTES >= 32
-constexpr hn::FixedTag<double, 4> kFour;
 constexpr hn::FixedTag<double, 2> kTwo;
-constexpr hn::FixedTag<float, 4> kFourFloats;
-constexpr hn::FixedTag<std::int32_t, 4> kFourInts;
 constexpr hn::FixedTag<std::uint32_t, 8> kEightNumbers;
-using Four = hn::Vec<decltype(kFour)>;
 
 /// A value of each of four corners, or of one end of each of four edges.
 struct FourPlaces
@@ -292,6 +289,15 @@ HWY_INLINE void writePositionsOf(const TetraToSlice& tetra, const PlaneFamily& p
 }
 #endif
 
+HWY_INLINE void findPlaces(const PlacedVertex* places, const int* vertices, std::uint8_t order,
+                           TetraToSlice& tetra)
+{
+    for (std::size_t i = 0; i < 4; ++i) {
+        tetra.places[i] = places + vertices[cornerAt(order, i)];
+        tetra.firstInFront[i] = tetra.places[i]->firstInFront;
+    }
+}
+
 /// Triangles of fans.
 constexpr std::size_t kMostOfFan = 24;
 struct Fan
@@ -319,6 +325,15 @@ HWY_INLINE void writeFirst(const Value& valueAt, std::size_t count, Number* to)
     hn::BlendedStore(valueAt(kTag, i), hn::FirstN(kTag, count - i), kTag, to + i);
 }
 
+/// Triangles of a polygon of so many vertices, at most kMostOfFan numbers.
+HWY_INLINE void writeFan(std::uint32_t first, std::size_t vertices, std::uint32_t* index)
+{
+    writeFirst(
+        [first](auto tag, std::size_t i)
+            HWY_ATTR { return hn::Add(hn::Set(tag, first), hn::LoadU(tag, kFans.numbers.data() + i)); },
+        3 * (vertices - 2), index);
+}
+
 void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const float* records,
                            std::size_t toNextBox, const SliceTarget& target)
 {
@@ -335,11 +350,7 @@ void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const
         if (3 * count <= kMostOfFan) {
             writeFirst([records](auto tag, std::size_t i) HWY_ATTR { return hn::LoadU(tag, records + i); },
                        3 * count, record);
-            writeFirst(
-                [first](auto tag, std::size_t i) HWY_ATTR {
-                    return hn::Add(hn::Set(tag, first), hn::LoadU(tag, kFans.numbers.data() + i));
-                },
-                3 * (count - 2), index);
+            writeFan(first, count, index);
         } else {
             std::copy_n(records, 3 * count, record);
             for (std::uint32_t i = 1; i + 1 < count; ++i)
@@ -350,17 +361,135 @@ void writeSectionsOfTarget(std::span<const CutSections::Section> sections, const
     }
 }
 
-void writePositionsOfTarget(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
+#if HWY_MAX_BYTES >= 32
+/// Writes the slices of a tetrahedron and the parts of those that a face across kAxis parts.
+template <std::size_t kAxis>
+class HalvesWriter
 {
-    for (const SlicedTetra& item : slices.tetras) {
-        TetraToSlice tetra{{}, 3, {}, {}, item.mirrored};
-        for (std::size_t i = 0; i < 4; ++i) {
-            tetra.places[i] =
-                slices.places + slices.vertices[std::size_t{4} * item.tetra + cornerAt(item.order, i)];
-            tetra.firstInFront[i] = tetra.places[i]->firstInFront;
+public:
+    HWY_INLINE HalvesWriter(const HalvedTetra& half, const SliceTarget& target, std::size_t toNextBox)
+        : face_(half.face), target_(target)
+    {
+        for (std::size_t side = 0; side < 2; ++side) {
+            wanted_[side] = half.boxes[side] >= 0;
+            if (wanted_[side])
+                next_[side] = target.next + static_cast<std::size_t>(half.boxes[side]) * toNextBox;
         }
+    }
+
+    /// Which slices the face parts nobody foresees: all of a batch are made before any is written.
+    HWY_INLINE void write(const TetraToSlice& tetra, const PlaneFamily& planes, int end)
+    {
+        const FourPlaces corners = placesOf(tetra);
+        const auto first = hn::LoadU(kFourInts, tetra.firstInFront.data());
+        FourEdges edges(corners, kEdgeEnds[0][0]);
+        unsigned last = 0;
+        for (int begin = hn::GetLane(hn::MinOfLanes(kFourInts, first)); begin < end; begin += kBatch) {
+            const int stop = std::min(begin + kBatch, end);
+            for (int k = begin; k < stop; ++k) {
+                std::uint8_t mask[8];
+                hn::StoreMaskBits(kFourInts, hn::Lt(first, hn::Set(kFourInts, k + 1)), mask);
+                if (mask[0] != last) edges = FourEdges(corners, kEdgeEnds[tetra.mirrored][mask[0]]);
+                last = mask[0];
+                slice(edges.meet(planes.offset(k)), static_cast<unsigned>(kTetraSections[last].count),
+                      batch_[k - begin]);
+            }
+            for (int k = begin; k < stop; ++k)
+                writeSlice(batch_[k - begin], static_cast<std::size_t>(k));
+        }
+    }
+
+private:
+    struct Slice
+    {
+        FourPlaces at;
+        unsigned count;
+        unsigned less; ///< a bit for each vertex below the face
+    };
+
+    HWY_INLINE void slice(const FourPlaces& met, unsigned count, Slice& slice) const
+    {
+        const Four& x = kAxis == 0 ? met.x : kAxis == 1 ? met.y : met.z;
+        slice = {met, count, ((1u << count) - 1) & bitsOfFour(hn::Lt(x, hn::Set(kFour, face_)))};
+    }
+
+    HWY_INLINE void writeSlice(const Slice& slice, std::size_t plane) const
+    {
+        const unsigned all = (1u << slice.count) - 1;
+        if (slice.less == 0 || slice.less == all) {
+            const std::size_t side = slice.less == 0;
+            if (!wanted_[side]) return;
+            writePolygon(slice.at, slice.count == 4, {target_.records, target_.indices, next_[side]}, plane);
+            return;
+        }
+        const Four at[kAxes] = {slice.at.x, slice.at.y, slice.at.z};
+        const SplitSection split(at, slice.count, kAxis, face_);
+        for (std::size_t side = 0; side < 2; ++side)
+            if (wanted_[side])
+                writePart(split, kSplits[slice.count - 3][slice.less][side], next_[side][plane]);
+    }
+
+    HWY_INLINE void writePart(const SplitSection& split, const SplitPart& part, StackCount& next) const
+    {
+        const std::size_t count = part.count;
+        const std::uint32_t first = recordsOf(next);
+        float* const record = target_.records + std::size_t{3} * first;
+        std::uint32_t* const index = target_.indices + std::size_t{3} * trianglesOf(next);
+        next += countOfPolygon(count);
+        hwy::Prefetch(record + kAhead);
+        hwy::Prefetch(index + kAhead);
+#if HWY_MAX_BYTES >= 64
+        hn::BlendedStore(split.row(part), hn::FirstN(kRowFloats, 3 * count), kRowFloats, record);
+#else
+        alignas(32) float row[3 * kMostVertices];
+        split.store(part, row);
+        writeFirst([&row](auto tag, std::size_t i) HWY_ATTR { return hn::LoadU(tag, row + i); }, 3 * count,
+                   record);
+#endif
+        writeFan(first, count, index);
+    }
+
+    static constexpr int kBatch = 16;
+    double face_;
+    const SliceTarget& target_;
+    std::array<bool, 2> wanted_;
+    std::array<StackCount*, 2> next_{};
+    Slice batch_[kBatch];
+};
+#endif
+
+template <std::size_t kAxis>
+HWY_NOINLINE void
+writeHalf([[maybe_unused]] const TetraSource& source, [[maybe_unused]] const HalvedTetra& half,
+          [[maybe_unused]] const PlaneFamily& planes, [[maybe_unused]] const SliceTarget& target)
+{
+#if HWY_MAX_BYTES >= 32
+    TetraToSlice tetra{{}, 3, {}, {}, half.mirrored};
+    findPlaces(source.places, source.vertices + std::size_t{4} * half.tetra, half.order, tetra);
+    HalvesWriter<kAxis>(half, target, source.toNextBox).write(tetra, planes, half.end);
+#endif
+}
+
+void writeHalvesOfTarget(std::span<const HalvedTetra> tetras, const TetraSource& source,
+                         const PlaneFamily& planes, const SliceTarget& target)
+{
+    for (const HalvedTetra& half : tetras) {
+        switch (half.axis) {
+        case 0: writeHalf<0>(source, half, planes, target); break;
+        case 1: writeHalf<1>(source, half, planes, target); break;
+        default: writeHalf<2>(source, half, planes, target); break;
+        }
+    }
+}
+
+void writePositionsOfTarget(std::span<const SlicedTetra> tetras, const TetraSource& source,
+                            const PlaneFamily& planes, const SliceTarget& target)
+{
+    for (const SlicedTetra& item : tetras) {
+        TetraToSlice tetra{{}, 3, {}, {}, item.mirrored};
+        findPlaces(source.places, source.vertices + std::size_t{4} * item.tetra, item.order, tetra);
         SliceTarget ofBox = target;
-        ofBox.next += static_cast<std::size_t>(item.box) * slices.toNextBox;
+        ofBox.next += static_cast<std::size_t>(item.box) * source.toNextBox;
 #if HWY_MAX_BYTES >= 32
         writePositionsOf(tetra, planes, ofBox);
 #else
@@ -391,6 +520,7 @@ namespace vo {
 HWY_EXPORT(writeSlicesOfTarget);
 HWY_EXPORT(writePositionsOfTarget);
 HWY_EXPORT(writeSectionsOfTarget);
+HWY_EXPORT(writeHalvesOfTarget);
 
 void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                  std::vector<float>& scratch)
@@ -398,9 +528,16 @@ void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const Sli
     HWY_DYNAMIC_DISPATCH(writeSlicesOfTarget)(tetra, planes, target, scratch);
 }
 
-void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target)
+void writePositions(std::span<const SlicedTetra> tetras, const TetraSource& from, const PlaneFamily& planes,
+                    const SliceTarget& target)
 {
-    HWY_DYNAMIC_DISPATCH(writePositionsOfTarget)(slices, planes, target);
+    HWY_DYNAMIC_DISPATCH(writePositionsOfTarget)(tetras, from, planes, target);
+}
+
+void writeHalves(std::span<const HalvedTetra> tetras, const TetraSource& from, const PlaneFamily& planes,
+                 const SliceTarget& target)
+{
+    HWY_DYNAMIC_DISPATCH(writeHalvesOfTarget)(tetras, from, planes, target);
 }
 
 void writeSections(std::span<const CutSections::Section> sections, const float* records,

@@ -34,9 +34,11 @@ struct TetraToSlice
 /// A tetrahedron that planes meet.
 struct SlicedTetra
 {
+    static constexpr std::int32_t kCut = -1;    ///< boxes cut it
+    static constexpr std::int32_t kHalved = -2; ///< it is the next HalvedTetra
     std::uint32_t tetra;
-    std::int32_t box;       ///< the only one that holds it, far from all faces; -1: boxes cut it
-    std::uint32_t endAside; ///< how many polygons boxes have made of it and those before it
+    std::int32_t box;       ///< the only one that holds it, far from all faces; or one of these
+    std::uint32_t endAside; ///< kCut: how many polygons boxes have made of it and those before it
     std::uint8_t order;     ///< of its corners, as TetraToSlice has them: two bits each
     bool mirrored;          ///< in this order they are negatively oriented
 };
@@ -45,6 +47,18 @@ constexpr std::size_t cornerAt(std::uint8_t order, std::size_t i)
 {
     return order >> 2 * i & 3;
 }
+
+/// A tetrahedron of bare positions that one face between boxes parts; all others are far from it.
+struct HalvedTetra
+{
+    std::uint32_t tetra;
+    std::uint8_t order; ///< as SlicedTetra has it
+    bool mirrored;
+    std::uint8_t axis; ///< across which the face lies
+    std::int32_t end;  ///< planes from this one on are left out
+    double face;
+    std::array<std::int32_t, 2> boxes; ///< below and above the face; -1: none
+};
 
 /// How many records and triangles, or the numbers of the next ones, in one word to be counted at once: the
 /// lower half is the records. Differences are good even where a half of one is negative.
@@ -80,17 +94,21 @@ struct SliceTarget
 void writeSlices(const TetraToSlice& tetra, const PlaneFamily& planes, const SliceTarget& target,
                  std::vector<float>& scratch);
 
-/// Tetrahedra of bare positions that boxes hold.
-struct TetraSlices
+/// What is common to tetrahedra of bare positions.
+struct TetraSource
 {
-    std::span<const SlicedTetra> tetras;
     const PlacedVertex* places;
     const int* vertices;   ///< four of each tetrahedron
     std::size_t toNextBox; ///< counters
 };
 
-/// The same for many; target.next belongs to the first box.
-void writePositions(const TetraSlices& slices, const PlaneFamily& planes, const SliceTarget& target);
+/// The same for many that boxes hold; target.next belongs to the first box.
+void writePositions(std::span<const SlicedTetra> tetras, const TetraSource& from, const PlaneFamily& planes,
+                    const SliceTarget& target);
+
+/// The same for tetrahedra that are parted, as countHalves has counted.
+void writeHalves(std::span<const HalvedTetra> tetras, const TetraSource& from, const PlaneFamily& planes,
+                 const SliceTarget& target);
 
 /// Copies sections of bare positions; CutSections::kBeyond numbers behind their records are read.
 void writeSections(std::span<const CutSections::Section> sections, const float* records,

@@ -175,18 +175,40 @@ TEST(StackSlicer, planesInFacesSeamsAndVerticesAreThoseOfPolygonize)
     }
 }
 
+TEST(StackSlicer, planesBeforeInAndBehindAFaceAreThoseOfPolygonize)
+{
+    vo::StackSlicer slicer;
+    const std::vector<double> seams{0.5, 24.5, kSize - 0.5}, ends{0.5, kSize - 0.5};
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<vo::Box> boxes =
+            lattice(axis == 0 ? seams : ends, axis == 1 ? seams : ends, axis == 2 ? seams : ends);
+        for (const bool both : {true, false}) {
+            if (!both) boxes.pop_back();
+            for (const double side : {1.0, -1.0}) {
+                SCOPED_TRACE(testing::Message() << "axis " << axis << ", both " << both << ", side " << side);
+                glm::dvec3 along(0), oblique(0.3, -0.2, 0.5);
+                along[axis] = side;
+                for (const glm::dvec3& direction : {along, side * oblique})
+                    expectPolygonsOfPolygonize(cube(glm::dvec3(2), glm::dvec3(kSize - 2)), boxes,
+                                               parallelCamera(direction), everySlice(axis), slicer);
+            }
+        }
+    }
+}
+
 TEST(StackSlicer, boxesMayRepeatOverlapMissOrBeFlat)
 {
     vo::StackSlicer slicer;
-    std::vector<vo::Box> twice = bricks(1, kSize), missing = bricks(2, kSize);
+    std::vector<vo::Box> twice = bricks(1, kSize), oneTwice = bricks(2, kSize), missing = oneTwice;
     twice.push_back(twice[0]);
+    oneTwice.push_back(oneTwice[0]);
     missing.erase(missing.begin() + 3);
     const std::vector<vo::Box> overlapping{{glm::dvec3(0), glm::dvec3(30)},
                                            {glm::dvec3(20), glm::dvec3(kSize)},
                                            {glm::dvec3(10), glm::dvec3(12)}};
     const std::vector<vo::Box> flat = lattice({0.5, 20.5, kSize - 0.5}, {0.5, kSize - 0.5}, {8.0, 8.0});
     const std::vector<vo::Box> apart{{glm::dvec3(0), glm::dvec3(20)}, {glm::dvec3(26), glm::dvec3(kSize)}};
-    for (const auto& boxes : {twice, missing, overlapping, flat, apart, std::vector<vo::Box>{}})
+    for (const auto& boxes : {twice, oneTwice, missing, overlapping, flat, apart, std::vector<vo::Box>{}})
         forViews(1, 53, [&](const vo::Camera& view) {
             expectPolygonsOfPolygonize(jitteredLattice(9, 1, kSize - 1, 0.1, 3), boxes, view, everyVoxel(),
                                        slicer);
