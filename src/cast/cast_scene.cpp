@@ -261,7 +261,7 @@ void SceneCaster::cast(const StyledScene& scene, int threads, ScenePicture& pict
     const CastSurfaces surfaces(scene, *rays, grid);
     const CastPoints points(scene, *rays, grid, threads);
     const SightLimits limits(there, *rays, scene.width);
-    parallelFor(grid.count(), threads, [&](std::size_t i) {
+    parallelInOrder(grid.count(), threads, [&](std::size_t i) {
         TileCaster({scene, *rays, limits, surfaces, points, volumes}).cast(grid.tile(i), picture);
     });
 }

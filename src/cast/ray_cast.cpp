@@ -168,12 +168,13 @@ void RayCaster::cast(const CastRequest& request, CastPicture& picture)
     job.picture = &picture;
 
     const int columns = (picture.width + kTile - 1) / kTile, rows = (picture.height + kTile - 1) / kTile;
-    parallelFor(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), request.threads,
-                [&](std::size_t i) {
-                    const int x = pixels.left + static_cast<int>(i) % columns * kTile;
-                    const int y = pixels.bottom + static_cast<int>(i) / columns * kTile;
-                    walkRays(job, {x, y, std::min(x + kTile, pixels.right), std::min(y + kTile, pixels.top)});
-                });
+    parallelInOrder(
+        static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), request.threads,
+        [&](std::size_t i) {
+            const int x = pixels.left + static_cast<int>(i) % columns * kTile;
+            const int y = pixels.bottom + static_cast<int>(i) / columns * kTile;
+            walkRays(job, {x, y, std::min(x + kTile, pixels.right), std::min(y + kTile, pixels.top)});
+        });
 }
 
 void RayCaster::setSkipping(bool on)

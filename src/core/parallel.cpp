@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <string_view>
 
@@ -34,6 +35,16 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
     }
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, body, tbb::simple_partitioner()); });
+}
+
+void parallelInOrder(std::size_t count, int threads, const std::function<void(std::size_t)>& body)
+{
+    std::atomic<std::size_t> next{0};
+    const auto workers = static_cast<std::size_t>(threads == 0 ? usualThreads() : threads);
+    parallelFor(std::min(workers, count), threads, [&](std::size_t) {
+        for (std::size_t i; (i = next.fetch_add(1, std::memory_order_relaxed)) < count;)
+            body(i);
+    });
 }
 
 } // namespace vo

@@ -14,4 +14,8 @@ int usualThreads();
 /// here.
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
+/// The same, but whoever is done takes the next number: what is near in number is done at about the same
+/// time, and what it reads is in the caches for all threads.
+void parallelInOrder(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
+
 } // namespace vo

@@ -6,28 +6,50 @@
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace {
 
+constexpr auto kForms = {vo::parallelFor, vo::parallelInOrder};
+
 TEST(Parallel, everyNumberComesOnce)
 {
-    for (const int threads : {0, 1, 2, 7}) {
-        std::vector<std::atomic<int>> calls(1000);
-        vo::parallelFor(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
-        for (const std::atomic<int>& count : calls)
-            EXPECT_EQ(count, 1) << threads << " threads";
-    }
+    for (const auto form : kForms)
+        for (const int threads : {0, 1, 2, 7})
+            for (const std::size_t count : {0, 1, 3, 1000}) {
+                std::vector<std::atomic<int>> calls(count);
+                form(count, threads, [&](std::size_t i) { ++calls[i]; });
+                for (const std::atomic<int>& called : calls)
+                    EXPECT_EQ(called, 1) << threads << " threads, " << count << " numbers";
+            }
 }
 
 TEST(Parallel, exceptionComesOut)
 {
-    for (const int threads : {1, 2})
-        EXPECT_THROW(vo::parallelFor(100, threads,
-                                     [](std::size_t i) {
-                                         if (i == 50) throw std::runtime_error("50");
-                                     }),
-                     std::runtime_error);
+    for (const auto form : kForms)
+        for (const int threads : {1, 2})
+            EXPECT_THROW(form(100, threads,
+                              [](std::size_t i) {
+                                  if (i == 50) throw std::runtime_error("50");
+                              }),
+                         std::runtime_error);
+}
+
+TEST(Parallel, numbersBeginInOrder)
+{
+    for (const int threads : {1, 2, 7}) {
+        std::atomic<int> begun{0};
+        std::atomic<int> farthest{0};
+        vo::parallelInOrder(2000, threads, [&](std::size_t i) {
+            const int ahead = static_cast<int>(i) - begun++;
+            for (int most = farthest; ahead > most && !farthest.compare_exchange_weak(most, ahead);) {
+            }
+            std::this_thread::yield();
+        });
+        EXPECT_EQ(begun, 2000);
+        EXPECT_LT(farthest, threads) << "each other thread may have taken one and not begun it";
+    }
 }
 
 TEST(Parallel, environmentLowersTheNumberOfThreads)
