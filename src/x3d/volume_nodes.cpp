@@ -222,8 +222,8 @@ std::vector<VolumeNodes::SurfaceValue> VolumeNodes::surfaceValues(const Node& no
         surfaces.resize(kMostSurfaces);
     }
     std::ranges::stable_sort(surfaces, {}, &SurfaceValue::value);
-    const auto same = std::ranges::unique(surfaces, {}, &SurfaceValue::value);
-    surfaces.erase(same.begin(), same.end());
+    const auto sameValue = [](const SurfaceValue& a, const SurfaceValue& b) { return a.value == b.value; };
+    surfaces.erase(std::unique(surfaces.begin(), surfaces.end(), sameValue), surfaces.end());
     return surfaces;
 }
 
