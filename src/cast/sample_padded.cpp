@@ -6,7 +6,7 @@
 #define HWY_TARGET_INCLUDE "cast/sample_padded.cpp"
 #include <hwy/foreach_target.h>
 
-#include "cast/sample-inl.h"
+#include "core/gather-inl.h"
 
 #include <cstdint>
 #include <cstring>

@@ -130,7 +130,7 @@ private:
                 for (const glm::dvec3& corner : facet.corner)
                     planes.push_back(corner[axis]);
             std::ranges::sort(planes);
-            planes.erase(std::ranges::unique(planes).begin(), planes.end());
+            planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
             if (planes.size() < 2 || planes.size() > kMostCells) return false;
             cells *= planes.size() - 1;
             if (cells > kMostCells) return false;

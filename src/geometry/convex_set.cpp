@@ -149,7 +149,7 @@ private:
         for (const Facet& facet : facets_)
             outer.insert(outer.end(), facet.places.begin(), facet.places.end());
         std::ranges::sort(outer);
-        outer.erase(std::ranges::unique(outer).begin(), outer.end());
+        outer.erase(std::unique(outer.begin(), outer.end()), outer.end());
         for (const Facet& facet : facets_) {
             const auto known = [&](const glm::dvec4& plane) { return inPlane(facet, plane); };
             if (std::ranges::any_of(set_.planes, known)) continue;

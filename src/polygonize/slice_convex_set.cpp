@@ -176,7 +176,7 @@ void ConvexSlicer::slicePlanes(const ConvexBody& body, int begin, int end)
     changes_.push_back(begin);
     changes_.push_back(end);
     std::ranges::sort(changes_);
-    changes_.erase(std::ranges::unique(changes_).begin(), changes_.end());
+    changes_.erase(std::unique(changes_.begin(), changes_.end()), changes_.end());
 
     for (std::size_t i = 0; i + 1 < changes_.size(); ++i) {
         inFront_.clear();

@@ -128,9 +128,10 @@ std::optional<Vector3> sortSlices(Slices& slices, VolumeDescription& about)
     const double range = height(slices.back()) - height(slices.front());
     const double tooClose = kSamePlace * range / double(slices.size());
     const auto before = slices.size();
-    const auto same = std::ranges::unique(
-        slices, [&](const DicomSlice& a, const DicomSlice& b) { return height(b) - height(a) <= tooClose; });
-    slices.erase(same.begin(), same.end());
+    const auto inOnePlace = [&](const DicomSlice& a, const DicomSlice& b) {
+        return height(b) - height(a) <= tooClose;
+    };
+    slices.erase(std::unique(slices.begin(), slices.end(), inOnePlace), slices.end());
     if (slices.size() < before)
         about.notes.push_back("left out " + std::to_string(before - slices.size()) +
                               " slices in the place of others");

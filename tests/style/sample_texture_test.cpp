@@ -1,0 +1,128 @@
+// Texels of textures against double precision, by each instruction set.
+
+#include "style/style.h"
+#include "support/reference_styles.h"
+
+#include <gtest/gtest.h>
+
+#include <hwy/targets.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace {
+
+template <class T>
+void fillTexels(vo::VoxelTexture& texture, double full)
+{
+    texture.texels.resize(
+        static_cast<std::size_t>(texture.size.x) * static_cast<std::size_t>(texture.size.y) *
+        static_cast<std::size_t>(texture.size.z) * static_cast<std::size_t>(texture.components) * sizeof(T));
+    for (std::size_t i = 0; i < texture.texels.size() / sizeof(T); ++i) {
+        const auto number = static_cast<T>(full * std::fmod(0.31 + 0.618034 * static_cast<double>(i), 1.0));
+        std::memcpy(texture.texels.data() + i * sizeof(T), &number, sizeof(T));
+    }
+}
+
+vo::VoxelTexture textureOf(const vo::VoxelSize& size, int components, vo::TexelKind kind)
+{
+    vo::VoxelTexture texture;
+    texture.size = size;
+    texture.components = components;
+    texture.kind = kind;
+    switch (kind) {
+    case vo::TexelKind::uint8: fillTexels<std::uint8_t>(texture, 255.9); break;
+    case vo::TexelKind::uint16: fillTexels<std::uint16_t>(texture, 65535.9); break;
+    case vo::TexelKind::float32: fillTexels<float>(texture, 1.0); break;
+    }
+    return texture;
+}
+
+/// Places in the texture and beyond its faces, none at the border of two texels.
+vo::BatchVectors somePlaces()
+{
+    vo::BatchVectors place{};
+    for (std::size_t i = 0; i < vo::kBatchSize; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            place[axis][i] = static_cast<float>(
+                std::fmod(0.137 + 0.618034 * static_cast<double>(i * (axis + 1)), 1.4) - 0.2);
+    return place;
+}
+
+void expectTexels(const vo::VoxelTexture& texture)
+{
+    const vo::BatchVectors place = somePlaces();
+    for (const int count : {vo::kBatchSize, 5}) {
+        std::array<vo::BatchFloats, 4> texels{};
+        sampleTexture(texture, count, place, texels);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+            const glm::dvec4 expected =
+                vo::test::referenceTexel(texture, {place[0][i], place[1][i], place[2][i]});
+            for (std::size_t c = 0; c < static_cast<std::size_t>(texture.components); ++c)
+                ASSERT_NEAR(texels[c][i], expected[static_cast<int>(c)], 1e-5) << i << ", component " << c;
+        }
+    }
+}
+
+/// Calls check() with each instruction set that this machine has.
+template <class Check>
+void forTargets(const Check& check)
+{
+    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+        hwy::SetSupportedTargetsForTest(targets & -targets);
+        SCOPED_TRACE(hwy::TargetName(targets & -targets));
+        check();
+    }
+    hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST(SampleTexture, texelsAreThoseOfDoublePrecision)
+{
+    using Kind = vo::TexelKind;
+    // The smaller ones have fewer bytes than are read at once, or just as many.
+    for (const vo::VoxelSize& size : {vo::VoxelSize{7, 6, 5}, {5, 1, 1}, {2, 1, 1}, {1, 1, 1}})
+        for (const Kind kind : {Kind::uint8, Kind::uint16, Kind::float32})
+            for (const int components : {1, 2, 3, 4}) {
+                vo::VoxelTexture texture = textureOf(size, components, kind);
+                SCOPED_TRACE(std::to_string(size.x) + " wide, " + std::to_string(components) + " of " +
+                             std::to_string(bytesOf(kind)) + " bytes");
+                forTargets([&] { expectTexels(texture); });
+                texture.repeats = {true, false, true};
+                forTargets([&] { expectTexels(texture); });
+                texture.nearest = true;
+                forTargets([&] { expectTexels(texture); });
+                texture.repeats = {};
+                forTargets([&] { expectTexels(texture); });
+            }
+}
+
+TEST(SampleTexture, componentsThatItLacksStay)
+{
+    const vo::VoxelTexture texture = textureOf({3, 3, 3}, 2, vo::TexelKind::uint8);
+    forTargets([&] {
+        std::array<vo::BatchFloats, 4> texels{};
+        texels[2].fill(7.0f);
+        sampleTexture(texture, vo::kBatchSize, somePlaces(), texels);
+        EXPECT_EQ(texels[2][0], 7.0f);
+    });
+}
+
+TEST(SampleTexture, placesThatAreNoNumbersAreAtTheEdge)
+{
+    const vo::VoxelTexture texture = textureOf({4, 4, 4}, 1, vo::TexelKind::uint8);
+    vo::BatchVectors place{};
+    place[0].fill(std::numeric_limits<float>::quiet_NaN());
+    place[1].fill(std::numeric_limits<float>::infinity());
+    place[2].fill(-std::numeric_limits<float>::infinity());
+    const double expected = vo::test::referenceTexel(texture, {-1.0, 2.0, -1.0}).x;
+    forTargets([&] {
+        std::array<vo::BatchFloats, 4> texels{};
+        sampleTexture(texture, vo::kBatchSize, place, texels);
+        for (const float texel : texels[0])
+            ASSERT_NEAR(texel, expected, 1e-6);
+    });
+}
+
+} // namespace
