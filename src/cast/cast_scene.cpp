@@ -223,11 +223,13 @@ void clear(const StyledScene& scene, ScenePicture& picture)
 struct SceneCaster::Private
 {
     std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> voxels; ///< by serial
+    std::vector<std::shared_ptr<const SegmentBlocks>> segments;
 
     std::vector<CastVolume> volumesOf(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid,
                                       int threads)
     {
         std::map<std::uint64_t, std::shared_ptr<const PaddedVoxels>> used;
+        std::vector<std::shared_ptr<const SegmentBlocks>> usedSegments;
         std::vector<CastVolume> volumes;
         for (const StyledVolume& styled : scene.volumes) {
             if (!isCast(styled)) continue;
@@ -239,10 +241,22 @@ struct SceneCaster::Private
             if (!kept && voxels.contains(serial)) kept = voxels[serial];
             if (!kept) kept = std::make_shared<PaddedVoxels>(*styled.voxels, threads);
             volumes.back().voxels = kept;
-            volumes.back().findClear();
+            if (styled.segments) usedSegments.push_back(segmentsOf(*kept, styled, threads));
+            volumes.back().findClear(styled.segments ? usedSegments.back()->chainsIn()
+                                                     : std::span<const std::uint64_t>());
         }
         voxels = std::move(used);
+        segments = std::move(usedSegments);
         return volumes;
+    }
+
+    std::shared_ptr<const SegmentBlocks> segmentsOf(const PaddedVoxels& padded, const StyledVolume& styled,
+                                                    int threads) const
+    {
+        const auto chains = static_cast<int>(styled.chains.size());
+        for (const auto& kept : segments)
+            if (kept->isOf(padded, *styled.segments, chains)) return kept;
+        return std::make_shared<SegmentBlocks>(padded, *styled.segments, chains, threads);
     }
 };
 

@@ -18,6 +18,7 @@ ChainPlan::ChainPlan(const StyleChain& whole) : chain(effectiveChain(whole))
     needsPosition =
         std::any_of(chain.begin(), chain.end(), [](const auto& style) { return style->needsPosition(); });
     beginsWithVoxel = chain.empty() || !chain.front()->replacesColor();
+    keepsClearVoxels = keepsClear && (beginsWithVoxel || chain.front()->keepsClearVoxels());
 }
 
 CastVolume::CastVolume(const StyledVolume& volume, const SceneRays& rays)
@@ -34,14 +35,32 @@ CastVolume::CastVolume(const StyledVolume& volume, const SceneRays& rays)
         gradients = SurfaceNormals(volume.surfaces->gradients);
 }
 
-void CastVolume::findClear()
+void CastVolume::findClear(std::span<const std::uint64_t> chainsIn)
 {
-    if (styled->voxels->components != 1) return;
+    const bool one = styled->voxels->components == 1;
     const bool samples = !styled->surfaces && !styled->projection;
-    if (samples) clear = ClearValues(plans);
+    if (one && samples) clear = ClearValues(plans);
     if (styled->tetras || voxels->blocks().ranges.empty()) return;
-    if (styled->surfaces) blocks = ClearBlocks(voxels->blocks(), *styled->surfaces);
-    if (samples) blocks = ClearBlocks(voxels->blocks(), clear);
+    if (samples) {
+        std::vector<ClearValues> ofChains;
+        for (const ChainPlan& plan : plans)
+            ofChains.push_back(one ? ClearValues({&plan, 1}) : ClearValues::ofOpacities(plan));
+        blocks = ClearBlocks(voxels->blocks(), ofChains, chainsIn);
+    } else if (styled->surfaces) {
+        if (one) blocks = ClearBlocks(voxels->blocks(), *styled->surfaces);
+    } else if (one && projectsVoxels()) {
+        leapsByValue = true;
+        blocks = ClearBlocks(voxels->blocks(), styled->projection->type);
+    }
+}
+
+/// A sample's part in the projection follows from its value alone, wherever on the ray it is.
+bool CastVolume::projectsVoxels() const
+{
+    if (std::any_of(plans.begin(), plans.end(), [](const ChainPlan& plan) { return !plan.chain.empty(); }))
+        return false;
+    if (styled->projection->type == RayProjection::Type::average) return !styled->segments;
+    return !(styled->projection->intensityThreshold > 0.0f);
 }
 
 void CastVolume::read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const

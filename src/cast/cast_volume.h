@@ -5,11 +5,13 @@
 #include "cast/padded_voxels.h"
 #include "cast/scene_rays.h"
 #include "cast/scene_tetras.h"
+#include "cast/segment_blocks.h"
 #include "style/styled_scene.h"
 #include "style/surface_normals.h"
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace vo {
@@ -23,6 +25,8 @@ struct ChainPlan
     bool keepsClear = true;
     /// What firstColor() makes of a voxel is what the chain begins with.
     bool beginsWithVoxel = true;
+    /// Samples whose voxel firstColor() makes clear are clear after the chain: of several components.
+    bool keepsClearVoxels = true;
     bool needsPosition = false;
 
     explicit ChainPlan(const StyleChain& whole);
@@ -40,16 +44,21 @@ struct CastVolume
     std::optional<CastTetras> tetras;
     SurfaceNormals gradients{nullptr}; ///< of IsoSurfaces
     ClearValues clear;                 ///< samples of them are left out
-    ClearBlocks blocks;                ///< that are leapt over
+    ClearBlocks blocks;                ///< that are leapt over; in a projection, after its first sample
+    /// In a projection blocks are leapt over whose values change nothing any more.
+    bool leapsByValue = false;
 
-    /// Finds what is clear, once the voxels are there.
-    void findClear();
+    /// Finds what is clear, once the voxels are there. `chainsIn`: SegmentBlocks::chainsIn(), or nothing.
+    void findClear(std::span<const std::uint64_t> chainsIn);
 
     /// `voxels` and `tetras` are left to the caller. Borrows both.
     CastVolume(const StyledVolume& styled, const SceneRays& rays);
 
     /// Reads the components of the first `count` voxels.
     void read(int count, const BatchVectors& place, std::array<BatchFloats, 4>& voxel) const;
+
+private:
+    bool projectsVoxels() const;
 };
 
 /// False for volumes whose numbers make no sense, and for what rays do not draw (stipples).

@@ -16,7 +16,7 @@ void ClearBlocks::mark(const VoxelBlocks& blocks, const IsClear& isClear)
     std::size_t clear = 0;
     for (std::size_t block = 0; block < blocks.ranges.size(); ++block) {
         const auto [low, high] = blocks.ranges[block];
-        distance_[block] = isClear(low, high) ? EmptyBlocks::kFarthest : 0;
+        distance_[block] = isClear(block, low, high) ? EmptyBlocks::kFarthest : 0;
         clear += distance_[block] != 0 ? 1 : 0;
     }
     if (clear == 0)
@@ -27,12 +27,42 @@ void ClearBlocks::mark(const VoxelBlocks& blocks, const IsClear& isClear)
 
 ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const ClearValues& clear)
 {
-    if (!clear.empty()) mark(blocks, [&](float low, float high) { return clear.hasAll(low, high); });
+    if (!clear.empty())
+        mark(blocks, [&](std::size_t, float low, float high) { return clear.hasAll(low, high); });
+}
+
+ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, std::span<const ClearValues> chains,
+                         std::span<const std::uint64_t> chainsIn)
+{
+    mark(blocks, [&](std::size_t block, float low, float high) {
+        const std::uint64_t there = chainsIn.empty() ? ~std::uint64_t{0} : chainsIn[block];
+        for (std::size_t chain = 0; chain < chains.size(); ++chain)
+            if ((there >> std::min<std::size_t>(chain, 63) & 1u) != 0 && !chains[chain].hasAll(low, high))
+                return false;
+        return true;
+    });
+}
+
+ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, RayProjection::Type type)
+{
+    float least = std::numeric_limits<float>::infinity(), greatest = -least;
+    for (const auto& [low, high] : blocks.ranges) {
+        least = std::min(least, low);
+        greatest = std::max(greatest, high);
+    }
+    mark(blocks, [&](std::size_t, float low, float high) {
+        switch (type) {
+        case RayProjection::Type::max: return high <= least;
+        case RayProjection::Type::min: return low >= greatest;
+        case RayProjection::Type::average: break;
+        }
+        return low == 0.0f && high == 0.0f;
+    });
 }
 
 ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const IsoSurfaces& surfaces)
 {
-    mark(blocks, [&](float low, float high) {
+    mark(blocks, [&](std::size_t, float low, float high) {
         return std::none_of(surfaces.values.begin(), surfaces.values.end(),
                             [&](float value) { return low < value && high >= value; });
     });
@@ -40,14 +70,23 @@ ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const IsoSurfaces& surfaces)
 
 int ClearBlocks::leap(const glm::vec3& cell, const glm::vec3& step) const
 {
+    const int distance = distance_[blockAt(count_, cell)];
+    return distance == 0 ? 0 : samplesInBlocks(cell, step, distance);
+}
+
+std::size_t blockAt(const glm::ivec3& blockCount, const glm::vec3& cell)
+{
     const glm::ivec3 block = glm::ivec3(cell) >> PaddedVoxels::kBlockShift;
-    const auto index = (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(count_.y) +
-                        static_cast<std::size_t>(block.y)) *
-                           static_cast<std::size_t>(count_.x) +
-                       static_cast<std::size_t>(block.x);
-    const int distance = distance_[index];
-    if (distance == 0) return 0;
+    return (static_cast<std::size_t>(block.z) * static_cast<std::size_t>(blockCount.y) +
+            static_cast<std::size_t>(block.y)) *
+               static_cast<std::size_t>(blockCount.x) +
+           static_cast<std::size_t>(block.x);
+}
+
+int samplesInBlocks(const glm::vec3& cell, const glm::vec3& step, int distance)
+{
     constexpr float kEdge = 1 << PaddedVoxels::kBlockShift;
+    const glm::ivec3 block = glm::ivec3(cell) >> PaddedVoxels::kBlockShift;
     float samples = 1e6f;
     for (int axis = 0; axis < 3; ++axis) {
         const int end = step[axis] > 0.0f ? block[axis] + distance : block[axis] - distance + 1;

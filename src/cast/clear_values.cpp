@@ -38,4 +38,13 @@ ClearValues::ClearValues(std::span<const ChainPlan> plans)
     }
 }
 
+ClearValues ClearValues::ofOpacities(const ChainPlan& plan)
+{
+    ClearValues clear;
+    if (plan.keepsClearVoxels)
+        for (std::size_t next = 1; next < clear.seen_.size(); ++next)
+            --clear.seen_[next];
+    return clear;
+}
+
 } // namespace vo

@@ -18,6 +18,8 @@ public:
     /// Those of which nothing is known: none.
     ClearValues() = default;
     explicit ClearValues(std::span<const ChainPlan> plans);
+    /// Of voxels of several components, by their opacity as firstColor() says.
+    static ClearValues ofOpacities(const ChainPlan& plan);
 
     bool empty() const { return seen_[kSteps + 2] == kSteps + 2; }
     bool has(float value) const { return hasSteps(stepOf(value), stepOf(value)); }

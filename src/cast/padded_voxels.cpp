@@ -55,11 +55,40 @@ PaddedVoxels::PaddedVoxels(const VoxelTexture& texture, int threads)
     case TexelKind::uint16: fill<std::uint16_t>(texture, threads); break;
     case TexelKind::float32: fill<float>(texture, threads); break;
     }
-    if (texture.components != 1 || grid_.repeats != std::array{false, false, false}) return;
-    switch (grid_.kind) {
-    case TexelKind::uint8: findRanges<std::uint8_t>(threads); break;
-    case TexelKind::uint16: findRanges<std::uint16_t>(threads); break;
-    case TexelKind::float32: findRanges<float>(threads); break;
+    if (grid_.repeats != std::array{false, false, false}) return;
+    switch (texture.kind) {
+    case TexelKind::uint8: findRangesOf<std::uint8_t>(texture, threads); break;
+    case TexelKind::uint16: findRangesOf<std::uint16_t>(texture, threads); break;
+    case TexelKind::float32: findRangesOf<float>(texture, threads); break;
+    }
+}
+
+template <class T>
+void PaddedVoxels::findRangesOf(const VoxelTexture& texture, int threads)
+{
+    const auto paddedAt = [this](int x, int y, int z) { return z * grid_.slice + y * grid_.row + x; };
+    if (texture.components == 1) {
+        const T* const numbers = reinterpret_cast<const T*>(memory_.data());
+        findRanges<T>(
+            grid_.unit, [&](int x, int y, int z) { return numbers[paddedAt(x, y, z)]; }, threads);
+    } else if (texture.components == 3) {
+        const float* const means = reinterpret_cast<const float*>(memory_.data());
+        findRanges<float>(
+            1.0f, [&](int x, int y, int z) { return means[paddedAt(x, y, z)]; }, threads);
+    } else {
+        const auto alpha = [&](int x, int y, int z) {
+            const auto inside = [](int at, int size) {
+                return static_cast<std::size_t>(sourceOf(at, size, false));
+            };
+            const std::size_t texel =
+                (inside(z, grid_.size.z) * static_cast<std::size_t>(grid_.size.y) + inside(y, grid_.size.y)) *
+                    static_cast<std::size_t>(grid_.size.x) +
+                inside(x, grid_.size.x);
+            const auto components = static_cast<std::size_t>(texture.components);
+            return texelNumber<T>(texture.texels.data(), texel * components + components - 1);
+        };
+        // Whatever the unit, 0 stays 0; of alphas no more is asked.
+        findRanges<T>(1.0f, alpha, threads);
     }
 }
 
@@ -71,8 +100,8 @@ glm::vec3 PaddedVoxels::cellOf(const glm::vec3& place) const
 }
 
 /// The voxels at the far faces of a block are those of its last cells, too.
-template <class T>
-void PaddedVoxels::findRanges(int threads)
+template <class T, class NumberAt>
+void PaddedVoxels::findRanges(float unit, const NumberAt& numberAt, int threads)
 {
     constexpr int kEdge = 1 << kBlockShift;
     const glm::ivec3 padded = glm::ivec3(grid_.size.x, grid_.size.y, grid_.size.z) + 2 * kPadding;
@@ -80,7 +109,6 @@ void PaddedVoxels::findRanges(int threads)
     const auto inSlice =
         static_cast<std::size_t>(blocks_.count.x) * static_cast<std::size_t>(blocks_.count.y);
     blocks_.ranges.resize(inSlice * static_cast<std::size_t>(blocks_.count.z));
-    const T* const numbers = reinterpret_cast<const T*>(memory_.data());
     parallelFor(static_cast<std::size_t>(blocks_.count.z), threads, [&](std::size_t blockZ) {
         for (std::size_t i = 0; i < inSlice; ++i) {
             const auto across = static_cast<std::size_t>(blocks_.count.x);
@@ -88,15 +116,14 @@ void PaddedVoxels::findRanges(int threads)
             const glm::ivec3 last = glm::min(first + kEdge, padded - 1);
             T low = std::numeric_limits<T>::max(), high = std::numeric_limits<T>::lowest();
             for (int z = first.z; z <= last.z; ++z)
-                for (int y = first.y; y <= last.y; ++y) {
-                    const T* const row = numbers + z * grid_.slice + y * grid_.row;
+                for (int y = first.y; y <= last.y; ++y)
                     for (int x = first.x; x <= last.x; ++x) {
-                        low = std::min(low, row[x]);
-                        high = std::max(high, row[x]);
+                        const T number = numberAt(x, y, z);
+                        low = std::min(low, number);
+                        high = std::max(high, number);
                     }
-                }
-            blocks_.ranges[blockZ * inSlice + i] = {static_cast<float>(low) * grid_.unit,
-                                                    static_cast<float>(high) * grid_.unit};
+            blocks_.ranges[blockZ * inSlice + i] = {static_cast<float>(low) * unit,
+                                                    static_cast<float>(high) * unit};
         }
     });
 }

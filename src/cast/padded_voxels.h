@@ -13,7 +13,8 @@
 
 namespace vo {
 
-/// What values the cells of each block of PaddedVoxels have, x fastest.
+/// What is in the cells of each block of PaddedVoxels, x fastest: values of one component, opacities (as
+/// firstColor() says) of several.
 struct VoxelBlocks
 {
     struct Range
@@ -54,7 +55,7 @@ public:
     const PaddedGrid& grid() const { return grid_; }
     /// The cell in which a place from 0 to 1 lies, and how far in it, without what repeats.
     glm::vec3 cellOf(const glm::vec3& place) const;
-    /// None for textures of several components, or that repeat.
+    /// None for textures that repeat.
     const VoxelBlocks& blocks() const { return blocks_; }
     std::size_t bytes() const { return memory_.size(); }
 
@@ -62,7 +63,9 @@ private:
     template <class T>
     void fill(const VoxelTexture& texture, int threads);
     template <class T>
-    void findRanges(int threads);
+    void findRangesOf(const VoxelTexture& texture, int threads);
+    template <class T, class NumberAt>
+    void findRanges(float unit, const NumberAt& numberAt, int threads);
 
     PaddedGrid grid_;
     KeptArray<std::byte> memory_;

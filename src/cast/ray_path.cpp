@@ -27,6 +27,8 @@ bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const Tetr
 {
     pieces_.clear();
     lastPlane_.reset();
+    idle_.reset();
+    leaptPlanes_ = 0;
     for (const glm::dvec4& plane : volume_.eyePlanes)
         depths.cut(glm::dot(glm::dvec3(plane), ray.origin) + plane.w,
                    glm::dot(glm::dvec3(plane), ray.direction));
@@ -74,7 +76,9 @@ void RayPath::addPiece(DepthRange depths, const DepthRay& place, int tetra)
 bool RayPath::next(SampleChunk& chunk)
 {
     std::int64_t most = kChunkSize, over = 0;
-    if (!volume_.blocks.empty()) {
+    if (volume_.leapsByValue) {
+        if (idle_) leap();
+    } else if (!volume_.blocks.empty()) {
         // Surfaces lie between two samples: the first and the last that are clear are looked at.
         if (volume_.styled->surfaces) {
             over = leapt_ ? 0 : clearPlanes() - 2;
@@ -116,8 +120,17 @@ void RayPath::leap()
         const std::int64_t clear = clearPlanes();
         if (clear == 0) return;
         plane_ += clear;
+        leaptPlanes_ += clear;
         finishPiece();
     }
+}
+
+int RayPath::samplesToLeap(const glm::vec3& cell, const glm::vec3& step) const
+{
+    const int clear = volume_.blocks.empty() ? 0 : volume_.blocks.leap(cell, step);
+    if (clear > 0 || !idle_) return clear;
+    const auto& [low, high] = volume_.voxels->blocks().ranges[blockAt(volume_.voxels->blocks().count, cell)];
+    return low >= idle_->low && high <= idle_->high ? samplesInBlocks(cell, step, 1) : 0;
 }
 
 /// How many planes from the next one on lie in clear blocks at least.
@@ -128,7 +141,7 @@ std::int64_t RayPath::clearPlanes() const
     const VoxelSize& size = volume_.voxels->size();
     const glm::vec3 cell = volume_.voxels->cellOf(glm::vec3(place.at(depthOf(plane_))));
     const glm::vec3 step(place.direction * volume_.styled->spacing * glm::dvec3(size.x, size.y, size.z));
-    return std::min<std::int64_t>(volume_.blocks.leap(cell, step), pieces_[piece_].last - plane_ + 1);
+    return std::min<std::int64_t>(samplesToLeap(cell, step), pieces_[piece_].last - plane_ + 1);
 }
 
 const RayPath::Piece* RayPath::pieceAt(double depth) const

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vo {
@@ -47,6 +48,10 @@ public:
     }
     const DepthRay& local() const { return local_; }
     const Piece& piece(std::size_t index) const { return pieces_[index]; }
+    /// From now on blocks are leapt over that have no other values: of volumes that leapsByValue.
+    void leapOver(const VoxelBlocks::Range& values) { idle_ = values; }
+    /// Planes of those that were leapt over since this was asked.
+    std::int64_t takeLeapt() { return std::exchange(leaptPlanes_, 0); }
     /// The piece that has a depth; nothing outside of the volume.
     const Piece* pieceAt(double depth) const;
     /// How long a sample is, in unit lengths.
@@ -56,6 +61,7 @@ private:
     void addPiece(DepthRange depths, const DepthRay& place, int tetra);
     void toPlanes();
     void leap();
+    int samplesToLeap(const glm::vec3& cell, const glm::vec3& step) const;
     std::int64_t clearPlanes() const;
     void finishPiece();
 
@@ -64,6 +70,8 @@ private:
     std::vector<Piece> pieces_;
     std::size_t piece_ = 0;
     std::int64_t plane_ = 0;
+    std::optional<VoxelBlocks::Range> idle_;
+    std::int64_t leaptPlanes_ = 0;
     bool leapt_ = false;                    ///< plane_ is the last of those that were leapt over
     std::optional<std::int64_t> lastPlane_; ///< of the pieces added so far
 };

@@ -24,15 +24,23 @@ void JoinedSamples::add(double depth, float intensity, float opacity)
     ++count_;
 }
 
+void JoinedSamples::addIdle(std::int64_t samples)
+{
+    count_ += samples;
+    opacities_ += static_cast<double>(samples);
+}
+
 float JoinedSamples::intensity() const
 {
-    if (projection_.type == RayProjection::Type::average) return static_cast<float>(intensities_ / count_);
+    if (projection_.type == RayProjection::Type::average)
+        return static_cast<float>(intensities_ / static_cast<double>(count_));
     return sign_ * chosen().value;
 }
 
 float JoinedSamples::opacity() const
 {
-    if (projection_.type == RayProjection::Type::average) return static_cast<float>(opacities_ / count_);
+    if (projection_.type == RayProjection::Type::average)
+        return static_cast<float>(opacities_ / static_cast<double>(count_));
     return chosen().opacity;
 }
 

@@ -2,6 +2,8 @@
 
 #include "style/styled_scene.h"
 
+#include <cstdint>
+
 namespace vo {
 
 /// Joins the samples of a ray to one.
@@ -14,6 +16,8 @@ public:
     }
 
     void add(double depth, float intensity, float opacity);
+    /// Samples that change no maximum and no minimum; in a mean they count as opaque ones of 0.
+    void addIdle(std::int64_t samples);
     /// No sample that may come changes the result.
     bool decided() const { return decided_; }
 
@@ -37,7 +41,7 @@ private:
 
     RayProjection projection_;
     float sign_;
-    int count_ = 0;
+    std::int64_t count_ = 0;
     double depth_ = 0.0;
     bool decided_ = false;
     Candidate best_, last_;

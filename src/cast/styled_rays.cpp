@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vo {
 
@@ -30,7 +31,7 @@ glm::vec3 colorOf(const SampleBatch& batch, std::size_t i)
 
 StyledRay::StyledRay(const CastVolume& volume) : volume_(volume), path_(volume), shader_(volume)
 {
-    const auto drops = [](const ChainPlan& plan) { return plan.keepsClear && plan.beginsWithVoxel; };
+    const auto drops = [](const ChainPlan& plan) { return plan.keepsClearVoxels; };
     dropsFirstClear_ =
         !volume.styled->projection && std::all_of(volume.plans.begin(), volume.plans.end(), drops);
 }
@@ -44,6 +45,7 @@ bool StyledRay::begin(const DepthRay& ray, DepthRange depths, double opaque, std
     crossing_ = 0;
     before_.reset();
     projected_ = false;
+    projectedValues_ = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
     wanted_ = kChunkSize;
     if (!path_.begin(ray, depths, spans)) return false;
     units_ = static_cast<float>(path_.unitsOfSample());
@@ -138,10 +140,29 @@ bool StyledRay::project(FragmentRun& run)
                     components % 2 == 0 ? batch.voxel[static_cast<std::size_t>(components - 1)][i] : 1.0f;
             joined.add(samples_.depth[i], (batch.Cv[0][i] + batch.Cv[1][i] + batch.Cv[2][i]) / 3.0f, opacity);
         }
+        if (volume_.leapsByValue) leapOverIdle();
+        joined.addIdle(path_.takeLeapt());
     }
+    joined.addIdle(path_.takeLeapt());
     if (joined.empty()) return false;
     run.add(joined.depth(), glm::vec3(joined.intensity()), std::clamp(joined.opacity(), 0.0f, 1.0f));
     return true;
+}
+
+/// From here on the path leaves out what changes nothing after the samples so far.
+void StyledRay::leapOverIdle()
+{
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    auto& [low, high] = projectedValues_;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(samples_.batch.count); ++i) {
+        low = std::min(low, samples_.batch.voxel[0][i]);
+        high = std::max(high, samples_.batch.voxel[0][i]);
+    }
+    switch (volume_.styled->projection->type) {
+    case RayProjection::Type::max: return path_.leapOver({-kInfinity, high});
+    case RayProjection::Type::min: return path_.leapOver({low, kInfinity});
+    case RayProjection::Type::average: return path_.leapOver({0.0f, 0.0f});
+    }
 }
 
 /// Fills samples_ with the places of surfaces; false if there are no more.

@@ -63,6 +63,7 @@ private:
 
     /// Joins all samples to one fragment.
     bool project(FragmentRun& run);
+    void leapOverIdle();
 
     const CastVolume& volume_;
     RayPath path_;
@@ -72,6 +73,7 @@ private:
     int wanted_ = 0; ///< samples of the next batch
     bool dropsFirstClear_ = false;
     bool projected_ = false;
+    VoxelBlocks::Range projectedValues_{}; ///< so far
     float units_ = 1.0f;
     std::array<float, 4> series_{};
     double opaque_ = 0.0;

@@ -49,6 +49,7 @@ public:
         if (function_) return function_.isClear(low, high);
         return opaqueAtZero_ ? low >= 1.0f : high <= 0.0f;
     }
+    bool keepsClearVoxels() const override { return function_ ? voxelComponents_ == 4 : !opaqueAtZero_; }
     void apply(const StyleSurroundings&, SampleBatch& samples) const override;
     void write(GlslChain& chain) const override;
 

@@ -63,6 +63,9 @@ public:
     /// No sample has opacity after it whose voxel lies within low to high: known of styles that
     /// replaceColor(), for voxels of one component.
     virtual bool isClear(float low, float high) const { return low > high; }
+    /// What firstColor() makes clear is clear after it: known of styles that replaceColor(), for voxels of
+    /// several components.
+    virtual bool keepsClearVoxels() const { return false; }
     /// The volume shadows what this style lights: it needs withShadows().
     virtual bool asksForShadows() const { return false; }
     /// The same style with shadows; nothing where it has no use for them.

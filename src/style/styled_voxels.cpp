@@ -52,6 +52,17 @@ bool isSound(const StyledSurface& surface)
            });
 }
 
+int chainOfTexel(const Segments& segments, std::size_t texel, int chains)
+{
+    const VoxelTexture& texture = *segments.identifiers;
+    const std::size_t index =
+        texel * static_cast<std::size_t>(texture.components) + static_cast<std::size_t>(segments.component);
+    const float id = std::round(numberAt(texture, index) * segments.scale);
+    const bool listed = id >= 0.0f && id < static_cast<float>(segments.chainOf.size());
+    const int chain = listed ? segments.chainOf[static_cast<std::size_t>(id)] : segments.beyond;
+    return chain < chains ? chain : -1;
+}
+
 int chainAt(const StyledVolume& volume, const glm::vec3& place)
 {
     if (!volume.segments) return 0;
@@ -62,12 +73,7 @@ int chainAt(const StyledVolume& volume, const glm::vec3& place)
         texel =
             texel * static_cast<std::size_t>(texture.size[axis]) +
             nearestTexel(place[axis], texture.size[axis], texture.repeats[static_cast<std::size_t>(axis)]);
-    const std::size_t index =
-        texel * static_cast<std::size_t>(texture.components) + static_cast<std::size_t>(segments.component);
-    const float id = std::round(numberAt(texture, index) * segments.scale);
-    const bool listed = id >= 0.0f && id < static_cast<float>(segments.chainOf.size());
-    const int chain = listed ? segments.chainOf[static_cast<std::size_t>(id)] : segments.beyond;
-    return chain < static_cast<int>(volume.chains.size()) ? chain : -1;
+    return chainOfTexel(segments, texel, static_cast<int>(volume.chains.size()));
 }
 
 void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch)

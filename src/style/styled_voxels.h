@@ -13,6 +13,9 @@ bool isSound(const StyledSurface& surface);
 /// Which of a volume's chains its segment at a place (S, T, R) has, below 0 for none; 0 without segments.
 int chainAt(const StyledVolume& volume, const glm::vec3& place);
 
+/// The same, of `chains`, for texel number `texel` of the identifiers.
+int chainOfTexel(const Segments& segments, std::size_t texel, int chains);
+
 /// Sets n and gradient at the samples' places: central differences of brightness.
 void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch);
 

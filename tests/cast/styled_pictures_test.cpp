@@ -314,6 +314,92 @@ TEST(styledPictures, whatIsLeaptOverHasNothing)
     }
 }
 
+/// Blobs in the middle; nothing at the faces.
+float inside(const glm::vec3& p, int component)
+{
+    const glm::vec3 cell = glm::fract(p * 2.0f) - 0.5f;
+    return std::max(0.0f, 0.9f - (4.0f + static_cast<float>(component)) * glm::length(cell));
+}
+
+/// Voxels that repeat are not leapt over, and are the same where there is nothing at the faces.
+void expectSameWithoutLeaps(vo::StyledScene scene, const std::string& what)
+{
+    const vo::ScenePicture leapt = castOf(scene, 0);
+    auto repeated = std::make_shared<vo::VoxelTexture>(*scene.volumes[0].voxels);
+    repeated->repeats = {true, true, true};
+    repeated->serial = vo::newSerial();
+    scene.volumes[0].voxels = repeated;
+    const vo::ScenePicture whole = castOf(scene, 0);
+    double most = 0.0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+        ASSERT_NEAR(leapt.rgba[i], whole.rgba[i], 1e-6f) << what << ", " << i;
+        most = std::max(most, std::abs(double(whole.rgba[i]) - double(whole.rgba[i % 4])));
+    }
+    EXPECT_GT(most, 0.05) << what << ": nothing is seen";
+    ASSERT_EQ(leapt.depth, whole.depth) << what;
+}
+
+vo::StyledVolume sparseVolume(int components)
+{
+    vo::StyledVolume volume = turnedVolume();
+    volume.voxels = bytesOf({50, 42, 46}, components, inside);
+    volume.unitLength = volume.spacing = 0.14;
+    return volume;
+}
+
+TEST(styledPictures, projectionsAreTheSameWithoutLeaps)
+{
+    using Type = vo::RayProjection::Type;
+    for (const bool perspective : {false, true})
+        for (const Type type : {Type::max, Type::min, Type::average})
+            for (const float threshold : {0.0f, 0.3f}) {
+                vo::StyledVolume volume = sparseVolume(1);
+                volume.projection = vo::RayProjection{type, threshold};
+                vo::StyledScene scene = sceneOf(perspective, volume);
+                scene.background.sky = {{0.7f, 0.6f, 0.5f}};
+                const std::string what = "type " + std::to_string(static_cast<int>(type)) + ", threshold " +
+                                         std::to_string(threshold);
+                expectSameWithoutLeaps(scene, what);
+                expectReference(scene, what, kSameSamples);
+            }
+}
+
+TEST(styledPictures, colorsAreTheSameWithoutLeaps)
+{
+    vo::OpacityMap reversed;
+    reversed.opaqueAtZero = true;
+    for (const int components : {2, 3, 4}) {
+        vo::StyledVolume volume = sparseVolume(components);
+        const std::string what = std::to_string(components) + " components";
+        expectSameWithoutLeaps(sceneOf(true, volume), what);
+        expectReference(sceneOf(true, volume), what, kSameSamples);
+        reversed.voxelComponents = components;
+        volume.chains = {{styleWithReference(reversed)}};
+        volume.unitLength = 3.0;
+        expectSameWithoutLeaps(sceneOf(true, volume), what + ", opaque at zero");
+    }
+}
+
+TEST(styledPictures, segmentsAreTheSameWithoutLeaps)
+{
+    vo::OpacityMap reversed;
+    reversed.opaqueAtZero = true;
+    vo::Segments segments;
+    segments.identifiers = bytesOf({50, 42, 46}, 1, [](const glm::vec3& p, int) {
+        return std::floor(3.0f * p.x + 2.0f * p.y) / 255.0f;
+    });
+    segments.chainOf = {-1, 0, 1, -1};
+    segments.beyond = 0;
+    for (const bool perspective : {false, true}) {
+        vo::StyledVolume volume = sparseVolume(1);
+        volume.segments = segments;
+        volume.chains = {{}, {styleWithReference(reversed), styleWithReference(vo::ToneMapped{})}};
+        volume.unitLength = 3.0;
+        expectSameWithoutLeaps(sceneOf(perspective, volume), "segments");
+        expectReference(sceneOf(perspective, volume), "segments", kSameSamples);
+    }
+}
+
 vo::StyledSurface ball(const glm::dvec3& at, double radius)
 {
     vo::StyledSurface surface;
