@@ -129,6 +129,7 @@ vo::Result<void> show(voX3DScene& scene, vo::Vox3dOptions options)
     view.setSize(options.width, options.height);
     if (auto chosen = chooseViewpoint(view, options); !chosen) return chosen;
     view.setTime(options.time);
+    view.setSampling(options.sampling);
     if (options.output.empty()) {
         std::string whyNot;
 #ifdef VOX3D_HAS_WINDOW

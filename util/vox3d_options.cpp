@@ -127,6 +127,10 @@ const std::vector<Option>& options()
          "draw by slices in OpenGL, or by rays on the processor (default: in a\n"
          "picture cast, in a window slices where OpenGL has hardware)",
          readEngine},
+        {"-sampling", "PERIOD", false,
+         "distance of the sampling planes, in shortest edges of a voxel, 0.01 to 100\n"
+         "(default 1, and 0.5 where styles go by normals); half takes twice as long",
+         [](auto& to, auto& words) { to.sampling = words.number(0.01, 100, "a distance from 0.01 to 100"); }},
         {"-check", "", false, "list what is unsupported or wrong, with its file and line",
          [](auto& to, auto&) { to.check = true; }},
         {"-save", "OUT", false, "write the scene: ClassicVRML where OUT ends with .x3dv, XML otherwise",

@@ -23,6 +23,8 @@ struct Vox3dOptions
     std::string viewpoint;
     int frames = 0;
     double time = 0;
+    /// Distance of sampling planes, in shortest edges of a voxel; 0: the view's own.
+    double sampling = 0;
     Engine engine = Engine::automatic;
 
     // Of volumes.

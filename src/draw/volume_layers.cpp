@@ -2,6 +2,7 @@
 
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
+#include "style/seen_part.h"
 #include "style/tetra_corners.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -86,17 +87,6 @@ Body bodyOf(const StyledVolume& volume)
     return volume.tetras ? tetraBody(volume) : boxBody(volume);
 }
 
-DepthsSeen depthsOf(const Body& body, const glm::dvec4& depthRow)
-{
-    DepthsSeen range{INFINITY, -INFINITY};
-    const TetraView view = body.view();
-    for (int vertex = 0; vertex < static_cast<int>(body.records.size()) / body.values; ++vertex) {
-        const double depth = glm::dot(depthRow, glm::dvec4(view.position(vertex), 1.0));
-        range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
-    }
-    return range;
-}
-
 /// The planes that meet a volume, as sampleDepth() counts them; depthRow is that of its voxels.
 struct PlaneRange
 {
@@ -106,12 +96,13 @@ struct PlaneRange
     std::size_t count() const { return first <= last ? static_cast<std::size_t>(last - first) + 1 : 0; }
 };
 
-PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume, const Body& body)
+PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume)
 {
     const glm::dvec4 depthRow = depthRowOf(scene, volume.worldFromLocal * localFromVoxel(volume));
-    const DepthsSeen own = depthsOf(body, depthRow), seen = depthsSeen(scene.clipFromEye);
-    const double first = std::ceil(std::max(own.nearest, seen.nearest) / volume.spacing - 0.5);
-    const double last = std::floor(std::min(own.farthest, seen.farthest) / volume.spacing - 0.5);
+    const auto part = seenPart(scene, volume);
+    if (!part) return {depthRow, 0.0, -1.0};
+    const double first = std::ceil(part->nearest / volume.spacing - 0.5);
+    const double last = std::floor(part->farthest / volume.spacing - 0.5);
     if (last - first >= kMostPlanes)
         throw std::runtime_error("a volume has " + std::to_string(last - first + 1.0) +
                                  " sampling planes, at most " + std::to_string(kMostPlanes) + " are drawn");
@@ -129,8 +120,7 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume)
 void countLayers(const StyledScene& scene, const StyledVolume& volume, std::size_t most, VolumeLayers& layers)
 {
     layers.layers.clear();
-    const Body body = bodyOf(volume);
-    const PlaneRange planes = planesOf(scene, volume, body);
+    const PlaneRange planes = planesOf(scene, volume);
     layers.lastPlane = planes.last;
     layers.middlePlane = std::round(0.5 * (planes.first + planes.last));
     const std::size_t count = planes.count(), wide = (count + most - 1) / most;
@@ -153,7 +143,7 @@ void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer
     layers.layers.clear();
     const Body body = bodyOf(volume);
     layers.valuesPerRecord = body.values;
-    const PlaneRange range = planesOf(scene, volume, body);
+    const PlaneRange range = planesOf(scene, volume);
     if (range.count() == 0) return;
     const glm::dvec4& depthRow = range.depthRow;
     const double spacing = volume.spacing;

@@ -11,8 +11,8 @@
 #include "core/invertible.h"
 #include "style/shadow_textures.h"
 #include "x3d/node_lights.h"
-#include "x3d/node_transform.h"
 #include "x3d/node_values.h"
+#include "x3d/plane_spacing.h"
 #include "x3d/scene_painter.h"
 #include "x3d/volume_styles.h"
 
@@ -162,6 +162,8 @@ struct voX3DStyledVolume::Private
     const Node* style = nullptr;
     bool headlight = true;
     std::vector<StyleLight> lights; // of eye space
+    std::optional<double> sampling;
+    bool isToldOfGaps = false;
     StyledVolume volume;
     ShadowStore shadows;
     ScenePainter painter;
@@ -197,11 +199,15 @@ struct voX3DStyledVolume::Private
         made.background.opacity = 0;
         StyledVolume placed = volume;
         placed.worldFromLocal = givenMatrix(model, "modelMatrix");
-        placed.spacing = placed.unitLength * smallestScale(placed.worldFromLocal);
         if (!placed.tetras) // whose corner is the origin, in the tetrahedra's space
             placed.worldFromLocal =
                 glm::translate(placed.worldFromLocal, glm::dvec3(placed.dimensions) * 0.5);
         if (!applyStyle(placed)) return made;
+        const PlaneSpacing planes = planeSpacing(made, placed, sampling.value_or(usualSampling(placed)));
+        placed.spacing = planes.distance;
+        if (!planes.meetsVolume && !std::exchange(isToldOfGaps, true))
+            kept->scene->messages.push_back(
+                {Severity::warning, style ? style->place : TextPlace(), kPlanesMissVolume});
         light(placed);
         shadows.add(placed, 0);
         made.volumes.push_back(std::move(placed));
@@ -236,7 +242,7 @@ private:
 
 voX3DStyledVolume::voX3DStyledVolume(voX3DScene& scene, const voX3DNode& style, voBrickSetCollection* bricks,
                                      voIndexedTetraSet* tetras, voInterleavedArrayType format)
-    : d(new Private{scene, bricks, tetras, format, nullptr, nullptr, true, {}, {}, {}, {}})
+    : d(new Private{scene, bricks, tetras, format, nullptr, nullptr, true, {}, {}, false, {}, {}, {}})
 {
     d->setStyle(nullptr);
     update();
@@ -268,6 +274,11 @@ void voX3DStyledVolume::update()
 void voX3DStyledVolume::setHeadlight(voBool on)
 {
     d->headlight = on;
+}
+
+void voX3DStyledVolume::setSampling(double edges)
+{
+    guarded("setSampling", [&] { d->sampling = samplingOf(edges); });
 }
 
 void voX3DStyledVolume::addLight(float x, float y, float z, float intensity)

@@ -214,6 +214,11 @@ void voX3DView::setHeadlight(voBool on)
     d->request.headlight = on;
 }
 
+void voX3DView::setSampling(double edges)
+{
+    guarded("setSampling", [&] { d->request.sampling = samplingOf(edges); });
+}
+
 void voX3DView::setTime(double seconds)
 {
     guarded("setTime", [&] {

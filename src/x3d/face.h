@@ -3,9 +3,12 @@
 #include <vo/x3d/Scene.h>
 
 #include <deque>
+#include <optional>
 #include <string>
 
 #include "legacy/report.h"
+#include "x3d/number_text.h"
+#include "x3d/plane_spacing.h"
 #include "x3d/read_scene.h"
 
 struct voX3DScene::Private
@@ -41,6 +44,16 @@ auto& elementOf(List& list, int index)
         badValue("index " + std::to_string(index) + " is outside of 0 to " + std::to_string(list.size()) +
                  " - 1");
     return list[static_cast<std::size_t>(index)];
+}
+
+/// What setSampling takes; nothing for 0.
+inline std::optional<double> samplingOf(double edges)
+{
+    if (edges == 0) return {};
+    if (!(edges >= kLeastSampling && edges <= kMostSampling))
+        badValue("expected a distance of sampling planes from " + numberText(kLeastSampling) + " to " +
+                 numberText(kMostSampling) + " shortest edges of a voxel, or 0, found " + numberText(edges));
+    return edges;
 }
 
 } // namespace vo

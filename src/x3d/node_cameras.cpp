@@ -76,15 +76,48 @@ struct DepthRange
     double near, far;
 };
 
-DepthRange depthRange(const PlacedNode& viewpoint, const ViewBox& eye)
+double marginOf(const ViewBox& box)
 {
+    const double reach = std::max(std::abs(box.low.z), std::abs(box.high.z));
+    return 0.01 * glm::length(box.high - box.low) + 1e-6 * reach;
+}
+
+/// Whether a box of eye space reaches into the pyramid that is `half` of its depth wide to each side.
+bool isInView(const ViewBox& box, const glm::dvec2& half)
+{
+    const double farthest = -box.low.z;
+    return !box.isEmpty() && farthest > 0.0 && box.low.x <= half.x * farthest &&
+           box.high.x >= -half.x * farthest && box.low.y <= half.y * farthest &&
+           box.high.y >= -half.y * farthest;
+}
+
+/// Before all that is seen, as far as a thousandth of its own depth: what is small and near stays where there
+/// is something large and far, down to a millionth, which OpenGL's depths still tell apart.
+double nearPlane(const std::vector<ViewBox>& eyeBoxes, const glm::dvec2& half, double far)
+{
+    double near = far;
+    for (const ViewBox& box : eyeBoxes) {
+        if (!isInView(box, half)) continue;
+        const double margin = marginOf(box);
+        near = std::min(near, std::max(-box.high.z - margin, (-box.low.z + margin) * 1e-3));
+    }
+    return near < far ? std::max(near, far * 1e-6) : far * 1e-3;
+}
+
+DepthRange depthRange(const PlacedNode& viewpoint, const std::vector<ViewBox>& eyeBoxes, int width,
+                      int height)
+{
+    ViewBox eye;
+    for (const ViewBox& box : eyeBoxes)
+        eye.add(box, glm::dmat4(1.0));
     DepthRange range{0.1, 100.0};
     if (!eye.isEmpty()) {
-        const double reach = std::max(std::abs(eye.low.z), std::abs(eye.high.z));
-        const double margin = 0.01 * glm::length(eye.high - eye.low) + 1e-6 * reach;
+        const double margin = marginOf(eye);
         range = {std::max(-eye.high.z - margin, 0.0), -eye.low.z + margin};
-        if (!(range.far > 0.0)) range = {0.1, 100.0};
-        if (!isOrtho(viewpoint)) range.near = std::max(range.near, range.far * 1e-3);
+        if (!(range.far > 0.0))
+            range = {0.1, 100.0};
+        else if (!isOrtho(viewpoint))
+            range.near = nearPlane(eyeBoxes, halfSides(viewpoint, width, height), range.far);
     }
     if (!viewpoint.node) return range;
     const double near = floatOf(*viewpoint.node, "nearDistance", -1.0f);
@@ -122,9 +155,10 @@ glm::dmat4 eyeThatSeesAll(const PlacedNode& viewpoint, const glm::dmat4& eyeFrom
     return glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -distance) - center) * glm::dmat4(axes);
 }
 
-glm::dmat4 clipFromEyeOf(const PlacedNode& viewpoint, const ViewBox& eye, int width, int height)
+glm::dmat4 clipFromEyeOf(const PlacedNode& viewpoint, const std::vector<ViewBox>& eyeBoxes, int width,
+                         int height)
 {
-    const DepthRange depth = depthRange(viewpoint, eye);
+    const DepthRange depth = depthRange(viewpoint, eyeBoxes, width, height);
     if (isOrtho(viewpoint)) {
         const Rectangle seen = seenRectangle(viewpoint, width, height);
         return glm::ortho(seen.low.x, seen.high.x, seen.low.y, seen.high.y, depth.near, depth.far);

@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include <limits>
+#include <vector>
 
 namespace vo {
 
@@ -30,7 +31,8 @@ glm::dmat4 eyeThatSeesAll(const PlacedNode& viewpoint, const glm::dmat4& eyeFrom
                           int width, int height);
 
 /// The projection of a viewpoint (none: a Viewpoint with the default angle), its near and far planes as the
-/// box in eye space asks for if the viewpoint has none.
-glm::dmat4 clipFromEyeOf(const PlacedNode& viewpoint, const ViewBox& eye, int width, int height);
+/// boxes in eye space, one of each node, ask for if the viewpoint has none.
+glm::dmat4 clipFromEyeOf(const PlacedNode& viewpoint, const std::vector<ViewBox>& eyeBoxes, int width,
+                         int height);
 
 } // namespace vo

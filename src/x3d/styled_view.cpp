@@ -57,11 +57,11 @@ struct SceneView::Private
     ViewBox boxOf(const Node& node);
     bool hasDrawableSize(const ShownNode& each);
     ShownNodes drawableNodes(const std::optional<glm::dvec3>& eye);
-    ViewBox boxOf(const ShownNodes& nodes, const glm::dmat4& matrix);
+    std::vector<ViewBox> boxesOf(const ShownNodes& nodes, const glm::dmat4& matrix);
     glm::dmat4 eyeOf(const ViewRequest& request, const PlacedNode& viewpoint);
     void addHeadlight(const ViewRequest& request, const Node* viewpoint,
                       const std::vector<PlacedNode>& bindables, const glm::dmat4& eyeFromWorld);
-    void addShown(StyledScene& styled);
+    void addShown(const std::optional<double>& sampling, StyledScene& styled);
     float originalDistance(const ShownNode& place, const glm::dmat4& eyeFromWorld);
 
     Scene& scene;
@@ -112,12 +112,13 @@ ShownNodes SceneView::Private::drawableNodes(const std::optional<glm::dvec3>& ey
     return found;
 }
 
-ViewBox SceneView::Private::boxOf(const ShownNodes& nodes, const glm::dmat4& matrix)
+/// In the space that the matrix leads to from the world.
+std::vector<ViewBox> SceneView::Private::boxesOf(const ShownNodes& nodes, const glm::dmat4& matrix)
 {
-    ViewBox box;
+    std::vector<ViewBox> boxes;
     for (const ShownNode& each : nodes.nodes)
-        box.add(boxOf(*each.node), matrix * each.worldFromLocal);
-    return box;
+        boxes.emplace_back().add(boxOf(*each.node), matrix * each.worldFromLocal);
+    return boxes;
 }
 
 glm::dmat4 SceneView::Private::eyeOf(const ViewRequest& request, const PlacedNode& viewpoint)
@@ -125,7 +126,9 @@ glm::dmat4 SceneView::Private::eyeOf(const ViewRequest& request, const PlacedNod
     if (request.camera) return request.camera->eyeFromWorld;
     const glm::dmat4 eyeFromWorld = eyeFromWorldOf(viewpoint);
     if (viewpoint.node && !boolOf(*viewpoint.node, "viewAll")) return eyeFromWorld;
-    const ViewBox world = boxOf(drawableNodes({}), glm::dmat4(1.0));
+    ViewBox world;
+    for (const ViewBox& box : boxesOf(drawableNodes({}), glm::dmat4(1.0)))
+        world.add(box, glm::dmat4(1.0));
     return eyeThatSeesAll(viewpoint, eyeFromWorld, world, request.width, request.height);
 }
 
@@ -149,14 +152,14 @@ float SceneView::Private::originalDistance(const ShownNode& place, const glm::dm
 }
 
 /// The id of a node is its place among those that are shown, from 1.
-void SceneView::Private::addShown(StyledScene& styled)
+void SceneView::Private::addShown(const std::optional<double>& sampling, StyledScene& styled)
 {
     std::size_t points = 0;
     for (std::size_t i = 0; i < shown.nodes.size(); ++i) {
         const ShownNode& each = shown.nodes[i];
         const int id = static_cast<int>(i) + 1;
         if (isOf(each.node, "X3DVolumeDataNode")) {
-            if (auto volume = volumes.of(each)) {
+            if (auto volume = volumes.of(each, styled, sampling)) {
                 volume->id = id;
                 if (volume->stipple)
                     volume->stipple->originalDistance = originalDistance(each, styled.eyeFromWorld);
@@ -193,13 +196,13 @@ StyledScene SceneView::styledScene(const ViewRequest& request)
     styled.height = asked.height;
     styled.eyeFromWorld = d->eyeOf(asked, viewpoint);
     d->shown = d->drawableNodes(glm::dvec3(glm::inverse(styled.eyeFromWorld)[3]));
-    const ViewBox eyeBox = d->boxOf(d->shown, styled.eyeFromWorld);
+    const std::vector<ViewBox> eyeBoxes = d->boxesOf(d->shown, styled.eyeFromWorld);
     styled.clipFromEye = asked.camera ? asked.camera->clipFromEye
-                                      : clipFromEyeOf(viewpoint, eyeBox, asked.width, asked.height);
+                                      : clipFromEyeOf(viewpoint, eyeBoxes, asked.width, asked.height);
     d->addHeadlight(asked, viewpoint.node, bindables, styled.eyeFromWorld);
     if (const PlacedNode background = firstOf(bindables, "Background"); background.node)
         styled.background = skyColors(background, d->messages);
-    d->addShown(styled);
+    d->addShown(asked.sampling, styled);
     return styled;
 }
 

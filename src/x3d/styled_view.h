@@ -26,6 +26,8 @@ struct ViewRequest
     const Node* viewpoint = nullptr;  ///< nothing: the scene's first, or one from which all of it is seen
     std::optional<ViewCamera> camera; ///< in place of the viewpoint's own; lights and levels go by it
     bool headlight = true;            ///< if the scene's NavigationInfo has none against it
+    /// Distance of sampling planes, in shortest edges of a voxel; nothing: usualSampling().
+    std::optional<double> sampling;
 };
 
 /// What a LOD or an OctTree shows: the index of the child, 0 for highRes and 1 for lowRes.

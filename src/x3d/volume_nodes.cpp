@@ -2,10 +2,9 @@
 
 #include "x3d/fixed_opacity.h"
 #include "x3d/node_lights.h"
-#include "x3d/node_transform.h"
 #include "x3d/node_values.h"
+#include "x3d/plane_spacing.h"
 
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 namespace vo {
 namespace {
 
-constexpr double kMostPlanes = 4096.0;
 constexpr std::size_t kMostSurfaces = 256;
 
 double shortestEdge(const StyledVolume& volume)
@@ -26,19 +24,6 @@ double shortestEdge(const StyledVolume& volume)
         shortest =
             std::min(shortest, static_cast<double>(volume.dimensions[axis]) / volume.voxels->size[axis]);
     return shortest;
-}
-
-/// So that a box seen along its diagonal has no more than kMostPlanes.
-double planeSpacing(const StyledVolume& volume)
-{
-    const glm::dmat3 linear(volume.worldFromLocal);
-    double diagonal = 0.0;
-    for (const double y : {-1.0, 1.0})
-        for (const double z : {-1.0, 1.0}) {
-            const glm::dvec3 corner = glm::dvec3(volume.dimensions) * glm::dvec3(1.0, y, z);
-            diagonal = std::max(diagonal, glm::length(linear * corner));
-        }
-    return std::max(volume.unitLength * smallestScale(volume.worldFromLocal), diagonal / kMostPlanes);
 }
 
 } // namespace
@@ -54,7 +39,8 @@ ViewBox volumeBox(const Node& node)
     return box;
 }
 
-std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
+std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown, const StyledScene& scene,
+                                            const std::optional<double>& sampling)
 {
     const Node& node = *shown.node;
     StyledVolume volume;
@@ -67,7 +53,9 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown)
     if (!fill(node, volume)) return {};
     volume.clipPlanes = shown.clipPlanes;
     volume.unitLength = shortestEdge(volume);
-    volume.spacing = planeSpacing(volume);
+    const PlaneSpacing planes = planeSpacing(scene, volume, sampling.value_or(usualSampling(volume)));
+    volume.spacing = planes.distance;
+    if (!planes.meetsVolume) messages_.warn(node, kPlanesMissVolume);
     light(shown, volume);
     if (reading_ == VoxelReading::whole) shadows_.add(volume, 0);
     return volume;

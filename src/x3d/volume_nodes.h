@@ -25,8 +25,10 @@ public:
     {
     }
 
-    /// Nothing where nothing of it is drawn. Lights are those that the node was found with.
-    std::optional<StyledVolume> of(const ShownNode& shown);
+    /// Nothing where nothing of it is drawn. Lights are those that the node was found with; sampling planes
+    /// go by the size and the matrices of the scene (plane_spacing.h).
+    std::optional<StyledVolume> of(const ShownNode& shown, const StyledScene& scene,
+                                   const std::optional<double>& sampling);
 
 private:
     struct ValueRange

@@ -179,6 +179,20 @@ TEST_F(Vox3dPicture, aCubeHasTheOpacityOfItsLength)
     EXPECT_EQ(read(folder / "f.png"), read(folder / "cube.png"));
 }
 
+TEST_F(Vox3dPicture, samplingChangesWhatPlanesMissAndNotTheOpacity)
+{
+    const std::string path = scene("cube.x3d", cube("0xff000080"));
+    const auto seen = [&](const std::string& sampling) {
+        const std::string options = " -size 32 32 -sampling " + sampling + " -output " + (folder / "s.png");
+        EXPECT_EQ(vox3d(path + options).output, "");
+        return pixel(picture("s.png"), 16, 16)[0];
+    };
+    EXPECT_EQ(seen("0.1"), 192);
+    EXPECT_EQ(seen("1"), 192);
+    // 50 times as far apart as 32 planes: one meets the cube, and counts for all of its distance.
+    EXPECT_EQ(seen("50"), std::lround(255 * (1 - std::pow(1 - 128.0 / 255, 50 * 2 / 32.0))));
+}
+
 TEST_F(Vox3dPicture, framesGoOverTheCycleOfTheTimeSensors)
 {
     const std::string moved =
@@ -409,6 +423,8 @@ TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
     refused(good + " -viewpoint Back" + out, "found \"Back\"");
     refused(good + " -frames 3", "option -frames: expected -output FILE.png beside it");
     refused(good + " -frames 3 -output f%s.png", "expected a name with a %d");
+    refused(good + " -sampling 0" + out,
+            "option -sampling: expected a distance from 0.01 to 100, found \"0\"");
     refused(good + " -engine ray" + out, "option -engine: expected slices or cast, found \"ray\"");
     refused(good + " -style cartoon" + out, "option -style: expected a volume, found the scene");
     refused(good + " -style teapot" + out, "option -style: expected a style (opacity, boundary");

@@ -164,6 +164,19 @@ TEST(StyledView, nearAndFarPlanesHoldAllThatIsBeforeTheEye)
     EXPECT_GT(inPicture(near.drawn, {0, 0, -0.55}).z, 1.0) << "nor behind it";
 }
 
+TEST(StyledView, whatIsSmallAndNearIsNotCutByWhatIsLargeAndFar)
+{
+    const ViewedScene s("<Viewpoint position='0 0 3'/>" + kVolume +
+                        "<Transform translation='0 -1000000 0' scale='2000000 1 2000000'>" + kVolume +
+                        "</Transform>");
+    EXPECT_GT(inPicture(s.drawn, {0, 0, 0.5}).z, -1.0);
+    EXPECT_LT(inPicture(s.drawn, {0, -1e6, -1e6}).z, 1.0);
+    // What is beside the view moves no plane.
+    const ViewedScene beside("<Viewpoint position='0 0 1000'/>" + kVolume +
+                             "<Transform translation='900 0 999.9'>" + kVolume + "</Transform>");
+    EXPECT_NEAR(inPicture(beside.drawn, {0, 0, 0.6}).z, -1.0, 0.5);
+}
+
 TEST(StyledView, headlightShinesFromTheEye)
 {
     const std::string viewpoint = "<Viewpoint position='5 0 0' orientation='0 1 0 1.5707963'/>";

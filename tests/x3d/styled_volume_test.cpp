@@ -123,6 +123,35 @@ TEST(StyledVolume, tetrahedraWithVoxelCoordinatesAreOpaqueByTheirVoxels)
     EXPECT_EQ(opacity(seen, 1, 10), 0);
 }
 
+TEST(StyledVolume, flatMatricesMakeSheetsOfTheSameOpacity)
+{
+    Bricks bricks(8);
+    voX3DScene scene;
+    voX3DStyledVolume volume(scene, voX3DNode(), bricks);
+    const double c = std::cos(0.7), s = std::sin(0.7);
+    const auto seen = [&](double flat) {
+        // The box from 0 to 8, 4, 4, flat along z and turned about x.
+        const GLdouble model[16] = {1, 0, 0, 0, 0, c, s, 0, 0, -s * flat, c * flat, 0, -4, -c * 2, -50, 1};
+        const GLdouble projection[16] = {0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, -0.02, 0, 0, 0, -1, 1};
+        std::vector<float> rgba(4 * kSize * kSize);
+        EXPECT_TRUE(volume.picture(model, projection, kSize, kSize, rgba.data()))
+            << voError::getErrorString();
+        return opacity(rgba, 10, 10);
+    };
+    // 4 voxels of a unit of length that stays 1 in the volume's space; the way in it is along z.
+    for (const double flat : {1e-3, 1e-4}) {
+        const double along = std::hypot(s * flat, c) / c;
+        EXPECT_NEAR(seen(flat), opacityOf(4 * along), 0.02) << flat;
+    }
+    EXPECT_EQ(scene.getMessageCount(), 0);
+    seen(1e-7);
+    seen(1e-7);
+    EXPECT_EQ(scene.getMessageCount(), 1) << "too thin for any planes, told once";
+    voError::getErrorNumber();
+    volume.setSampling(1000);
+    EXPECT_EQ(voError::getErrorNumber(), voError::BAD_VALUE);
+}
+
 TEST(StyledVolume, aStyleThatIsChangedIsSeen)
 {
     Bricks bricks(8);

@@ -34,6 +34,9 @@ void expectOnePicture(const char* text)
     ASSERT_TRUE(scene.readText(text, std::char_traits<char>::length(text), "test"));
     voX3DView view(scene);
     view.setSize(kWidth, kHeight);
+    // With few planes no pixel lies so close to the box's outline that edges at 1/256 of a pixel move all of
+    // them.
+    view.setSampling(16);
     std::vector<float> expected(4 * kWidth * kHeight);
     ASSERT_TRUE(view.picture(expected.data()));
     for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST, voEngineScope::AUTOMATIC}) {
@@ -96,6 +99,57 @@ TEST(ViewGl, theSkyIsBehindWhatTheProgramHasDrawn)
         EXPECT_FLOAT_EQ(found[4 * (4 * 8 + 3)], 1.0f) << engine << ": the volume is hidden";
     }
     view.releaseDrawing();
+}
+
+TEST(ViewGl, thinSheetsAreAsOpaqueAsTheirThickness)
+{
+    constexpr int kSize = 9;
+    constexpr double kThick = 1e-4, kOpacity = 20.0 / 255.0;
+    const auto context = vo::openOffscreen({.width = kSize, .height = kSize, .floatColor = true});
+    ASSERT_TRUE(context);
+    for (const double degrees : {0.0, 45.0, 85.0}) {
+        const std::string text = "<X3D profile='Full' version='4.0'><Scene><Viewpoint position='0 0 1'/>"
+                                 "<Transform rotation='1 0 0 " +
+                                 std::to_string(degrees * std::acos(-1.0) / 180) +
+                                 "'><VolumeData dimensions='1 1 0.0001'><PixelTexture3D image='1 1 1 1 20'/>"
+                                 "</VolumeData></Transform></Scene></X3D>";
+        voX3DScene scene;
+        ASSERT_TRUE(scene.readText(text.data(), text.size(), "test"));
+        voX3DView view(scene);
+        view.setSize(kSize, kSize);
+        context->clear();
+        ASSERT_TRUE(view.draw(voEngineScope::SLICES)) << voError::getErrorString();
+        EXPECT_EQ(scene.getMessageCount(), 0);
+        const double length = kThick / std::cos(degrees * std::acos(-1.0) / 180);
+        const double expected = kOpacity * (1 - std::pow(1 - kOpacity, length / kThick));
+        // A plane more or less of at least 25, and edges of polygons at steps of 1/256 of a pixel.
+        const auto found = context->readFloats();
+        EXPECT_NEAR(double(found[4 * (4 * kSize + 4)]), expected, expected / 12) << degrees;
+    }
+}
+
+TEST(ViewGl, projectionsOfThinSheetsFarAwayAreThere)
+{
+    constexpr int kSize = 16;
+    const auto context = vo::openOffscreen({.width = kSize, .height = kSize, .floatColor = true});
+    ASSERT_TRUE(context);
+    const std::string text = "<X3D profile='Full' version='4.0'><Scene><Viewpoint position='0 0 3000' "
+                             "fieldOfView='0.0002'/><Transform rotation='1 1 0 0.8'>"
+                             "<VolumeData dimensions='1 1 0.001'><PixelTexture3D image='1 1 1 1 128'/>"
+                             "<ProjectionVolumeStyle/></VolumeData></Transform></Scene></X3D>";
+    voX3DScene scene;
+    ASSERT_TRUE(scene.readText(text.data(), text.size(), "test"));
+    voX3DView view(scene);
+    view.setSize(kSize, kSize);
+    std::vector<float> cast(4 * kSize * kSize);
+    ASSERT_TRUE(view.picture(cast.data()));
+    context->clear();
+    ASSERT_TRUE(view.draw(voEngineScope::SLICES)) << voError::getErrorString();
+    const auto found = context->readFloats();
+    for (std::size_t i = 0; i < cast.size(); i += 4) {
+        EXPECT_NEAR(cast[i], 128.0 / 255, 1e-5) << i;
+        EXPECT_NEAR(found[i], 128.0 / 255, 1e-5) << i;
+    }
 }
 
 TEST(ViewGl, anotherContextIsRefusedUntilDrawingIsReleased)

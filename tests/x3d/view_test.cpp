@@ -335,6 +335,22 @@ TEST_F(View, pointingDevicesMoveTouchSensors)
     EXPECT_EQ(scene.find("T").getDoubles("touchTime")[0], 3) << "let go beside it";
 }
 
+TEST_F(View, finerSamplingFindsVoxelsCloserToWhereTheyAre)
+{
+    read(std::string(kFromLeft) + kRamp);
+    // The value is 0.5 at x = 0, and 32 planes are in the 4 of the way.
+    for (const double sampling : {1.0, 0.25, 0.01}) {
+        view.setSampling(sampling);
+        ASSERT_TRUE(view.pick(32, 32, 0.5f, hit));
+        EXPECT_GE(hit.world[0], -0.01);
+        EXPECT_LE(hit.world[0], 4.0 / 32 * sampling + 0.01);
+    }
+    for (const double wrong : {-1.0, 0.001, 101.0, std::nan("")}) {
+        view.setSampling(wrong);
+        EXPECT_TRUE(refused()) << wrong;
+    }
+}
+
 TEST_F(View, aSceneThatIsReadAnewIsSeen)
 {
     read("<Viewpoint DEF='A'/>" + std::string(kRamp));

@@ -5,6 +5,7 @@
 #include "../util/scratch_folder.h"
 #include "view_scene.h"
 #include "volume_io/volume_io.h"
+#include "x3d/plane_spacing.h"
 #include "x3d/voxel_files.h"
 
 #include <algorithm>
@@ -98,23 +99,29 @@ TEST(VolumeNodes, pixelsHaveTheirFirstComponentInTheHighestByte)
     EXPECT_EQ(texels("4 2 1 1 0xF2345678 -1"), (Bytes{0xF2, 0x34, 0x56, 0x78, 0xFF, 0xFF, 0xFF, 0xFF}));
 }
 
-TEST(VolumeNodes, unitLengthIsTheShortestEdgeAndSpacingThatInTheWorld)
+TEST(VolumeNodes, unitLengthIsTheShortestEdgeOfAVoxel)
 {
     const ViewedScene s("<Transform scale='2 3 5'><VolumeData dimensions='2 3 1'>" +
                         pixels("1 4 2 1 0 0 0 0 0 0 0 0") + "</VolumeData></Transform>");
     EXPECT_DOUBLE_EQ(s.drawn.volumes.at(0).unitLength, 0.5);
-    EXPECT_NEAR(s.drawn.volumes[0].spacing, 1.0, 1e-9);
-    const ViewedScene turned(
-        "<Transform scale='-0.25 3 3' scaleOrientation='1 1 0 0.7' rotation='1 2 3 1'><VolumeData>" +
-        pixels("1 2 1 1 0 0") + "</VolumeData></Transform>");
-    EXPECT_NEAR(turned.drawn.volumes.at(0).spacing, 0.125, 1e-9);
 }
 
-TEST(VolumeNodes, planesAreNoMoreThanFourThousandAndNinetySix)
+TEST(VolumeNodes, spacingGoesByTheViewAndTheRequest)
 {
-    const ViewedScene s("<Transform scale='1 1 0.0001'><VolumeData dimensions='3 4 0.001'>" +
-                        pixels("1 1 1 1 0") + "</VolumeData></Transform>");
-    EXPECT_NEAR(s.drawn.volumes.at(0).spacing, 5.0 / 4096.0, 1e-9);
+    ViewedScene s("<Viewpoint position='0 0 3'/><VolumeData>" + pixels("1 2 1 1 0 0") + "</VolumeData>");
+    const auto wanted = [&s](double sampling) {
+        return planeSpacing(s.drawn, s.drawn.volumes.at(0), sampling).distance;
+    };
+    EXPECT_DOUBLE_EQ(s.drawn.volumes.at(0).spacing, wanted(1.0));
+    ViewRequest request;
+    request.sampling = 0.25;
+    s.draw(request);
+    EXPECT_DOUBLE_EQ(s.drawn.volumes.at(0).spacing, wanted(0.25));
+    EXPECT_LT(wanted(0.25), wanted(1.0));
+    request.camera = ViewCamera{};
+    request.camera->clipFromEye[0][0] = 9.0;
+    s.draw(request);
+    EXPECT_DOUBLE_EQ(s.drawn.volumes.at(0).spacing, wanted(0.25));
 }
 
 TEST(VolumeNodes, volumesWithoutExtentAreToldOf)

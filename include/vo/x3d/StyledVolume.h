@@ -32,6 +32,8 @@ public:
     /** Whether a light goes with the eye, initially it does; and one that shines along a direction of eye space. */
     void setHeadlight(voBool on);
     void addLight(float x, float y, float z, float intensity);
+    /** As voX3DView::setSampling. */
+    void setSampling(double edges);
 
     /** As voX3DView::draw, with a model-view and a projection matrix; width and height are those of the viewport. */
     voBool draw(const GLdouble modelMatrix[16], const GLdouble projMatrix[16], int width, int height,

@@ -66,6 +66,11 @@ public:
     /** Whether a light goes with the eye, as far as the scene's NavigationInfo allows it. Initially it does. */
     void setHeadlight(voBool on);
 
+    /** Distance of the planes on which volumes are sampled, in shortest edges of their voxels, 0.01 to 100. 0, as
+        initially: 1, and 1/2 where styles go by normals. Half as far apart takes up to twice as long. docs/x3d.md has
+        the limits. */
+    void setSampling(double edges);
+
     /** Lets it be that time on the scene's clock, which begins at 0: TimeSensors send their events. */
     void setTime(double seconds);
     double getTime() const;
