@@ -6,29 +6,10 @@
 namespace vo {
 namespace {
 
-constexpr ViewMatrix kIdentity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-
-ViewMatrix product(const ViewMatrix& a, const ViewMatrix& b)
-{
-    ViewMatrix to{};
-    for (std::size_t column = 0; column < 4; ++column)
-        for (std::size_t row = 0; row < 4; ++row)
-            for (std::size_t i = 0; i < 4; ++i)
-                to[4 * column + row] += a[4 * i + row] * b[4 * column + i];
-    return to;
-}
-
-ViewMatrix shift(const std::array<double, 3>& by)
-{
-    ViewMatrix to = kIdentity;
-    std::ranges::copy(by, to.begin() + 12);
-    return to;
-}
-
-ViewMatrix turn(const std::array<double, 3>& axis, double angle)
+Matrix turn(const std::array<double, 3>& axis, double angle)
 {
     const double length = std::hypot(axis[0], axis[1], axis[2]);
-    if (!(length > 0)) return kIdentity;
+    if (!(length > 0)) return translation(0, 0, 0);
     const double x = axis[0] / length, y = axis[1] / length, z = axis[2] / length;
     const double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
     return {t * x * x + c,
@@ -64,7 +45,7 @@ void MovedEye::apply(voX3DView& view) const
     const double depth = -centerInEye()[2], reach = 1.01 * radius;
     const double far = std::max(depth + reach, 1e-3 * radius);
     const double near = isOrthographic() ? depth - reach : std::max(depth - reach, 1e-3 * far);
-    ViewMatrix fitted = projection;
+    Matrix fitted = projection;
     fitted[10] = (isOrthographic() ? -2 : -(far + near)) / (far - near);
     fitted[14] = (isOrthographic() ? -(far + near) : -2 * far * near) / (far - near);
     view.setCamera(eyeFromWorld.data(), fitted.data());
@@ -82,13 +63,13 @@ std::array<double, 3> MovedEye::centerInEye() const
 void MovedEye::examine(const std::array<double, 3>& axis, double angle)
 {
     const auto at = centerInEye();
-    const ViewMatrix back = shift({-at[0], -at[1], -at[2]});
-    eyeFromWorld = product(product(shift(at), turn(axis, angle)), product(back, eyeFromWorld));
+    const Matrix there = translation(at[0], at[1], at[2]), back = translation(-at[0], -at[1], -at[2]);
+    eyeFromWorld = product(product(there, turn(axis, angle)), product(back, eyeFromWorld));
 }
 
 void MovedEye::move(const std::array<double, 3>& by)
 {
-    eyeFromWorld = product(shift(by), eyeFromWorld);
+    eyeFromWorld = product(translation(by[0], by[1], by[2]), eyeFromWorld);
 }
 
 void MovedEye::approach(double factor)

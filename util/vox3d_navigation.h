@@ -4,15 +4,14 @@
 
 #include <vo/x3d/View.h>
 
-namespace vo {
+#include "volume_view/matrix.h"
 
-/// 16 values column by column.
-using ViewMatrix = std::array<double, 16>;
+namespace vo {
 
 /// An eye that is moved: eye space is that of a viewer who looks along -z.
 struct MovedEye
 {
-    ViewMatrix eyeFromWorld{}, projection{};
+    Matrix eyeFromWorld{}, projection{};
     /// What it turns round, in the world, and how large that is.
     std::array<double, 3> center{};
     double radius = 1;

@@ -45,12 +45,8 @@ std::string urlOf(const fs::path& path)
     return url;
 }
 
-/// A table of a transfer function: what values of the file become.
-struct Table
-{
-    /// Red, green, blue and alpha, from the value 0 of the scene to 1.
-    std::vector<float> rgba;
-};
+/// A transfer function: red, green, blue and alpha, from the value 0 of the scene to 1.
+using Table = std::vector<float>;
 
 int texelsFor(const VolumeValues& values, double width)
 {
@@ -66,10 +62,10 @@ Table rampTable(const VolumeValues& values, const Vox3dOptions::Ramp& ramp, doub
     const double range = values.scene.high - values.scene.low;
     const int texels = texelsFor(values, ramp.width);
     const double half = range / texels / 2;
-    Table table{rampEntries({ramp.center, ramp.width, opacity}, values.scene.low + half,
-                            values.scene.high - half, texels, 4)};
-    for (std::size_t i = 0; i < table.rgba.size(); ++i)
-        if (i % 4 < 3) table.rgba[i] *= static_cast<float>(tint[i % 4]);
+    Table table = rampEntries({ramp.center, ramp.width, opacity}, values.scene.low + half,
+                              values.scene.high - half, texels, 4);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        if (i % 4 < 3) table[i] *= static_cast<float>(tint[i % 4]);
     return table;
 }
 
@@ -86,7 +82,7 @@ Table fileTable(const VolumeValues& values, const LookupFile& file, bool isByte)
             (LookupFile::kEntries - 1);
         const auto below = static_cast<std::size_t>(std::min(std::floor(place), LookupFile::kEntries - 2.0));
         for (std::size_t c = 0; c < 4; ++c)
-            table.rgba.push_back(
+            table.push_back(
                 static_cast<float>(std::lerp(double(file.rgba[4 * below + c]),
                                              double(file.rgba[4 * below + 4 + c]), place - double(below))));
     }
@@ -177,11 +173,11 @@ private:
     voX3DNode transferFunction(const Color& tint)
     {
         const Table of = table(tint);
-        std::vector<int> image{static_cast<int>(of.rgba.size() / 4), 1, 4};
-        for (std::size_t i = 0; i < of.rgba.size(); i += 4) {
+        std::vector<int> image{static_cast<int>(of.size() / 4), 1, 4};
+        for (std::size_t i = 0; i < of.size(); i += 4) {
             std::uint32_t pixel = 0;
             for (std::size_t c = 0; c < 4; ++c)
-                pixel = pixel * 256 + static_cast<std::uint32_t>(std::lround(255 * of.rgba[i + c]));
+                pixel = pixel * 256 + static_cast<std::uint32_t>(std::lround(255 * of[i + c]));
             image.push_back(static_cast<int>(pixel));
         }
         voX3DNode texture = node("PixelTexture"), map = node("OpacityMapVolumeStyle");
@@ -356,11 +352,6 @@ private:
     {
         char text[40];
         return {text, std::to_chars(text, text + sizeof text, static_cast<float>(number)).ptr};
-    }
-
-    static std::string sizeText(const std::array<std::int64_t, 3>& size)
-    {
-        return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
     }
 
     /// The eye's axes in the world as a quaternion, for the same view as voglBasic has: by longitude about z

@@ -149,11 +149,6 @@ void convert(TexelUse use, ChannelType type, const std::string& path, TextureRes
                       " others: rounded";
 }
 
-std::string sizeText(const std::array<std::int64_t, 3>& size)
-{
-    return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " + std::to_string(size[2]);
-}
-
 TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use, VoxelReading reading)
 {
     const VolumeInfo& info = file.info();

@@ -76,6 +76,9 @@ struct VolumeDescription
 /// Bytes of `voxels` voxels per axis; a failure if a size lies outside 1..2^31-1 or the product reaches 2^63.
 Result<std::int64_t> volumeBytes(const std::array<std::int64_t, 3>& voxels, int bytesPerVoxel);
 
+/// Sizes for messages: "64 x 32 x 16".
+std::string sizeText(const std::array<std::int64_t, 3>& size);
+
 /// A box of voxels, in voxels of the volume. The origin may be negative and the box may leave the volume.
 struct Region
 {

@@ -75,7 +75,4 @@ Result<VolumeFile> openPngVolume(const std::string& path);
 /// The same of JPEG.
 Result<VolumeFile> openJpegVolume(const std::string& path);
 
-/// Sizes for messages: "64 x 32 x 16".
-std::string sizeText(const std::array<std::int64_t, 3>& size);
-
 } // namespace vo

@@ -12,23 +12,6 @@ double radians(double degrees)
     return degrees * std::numbers::pi / 180;
 }
 
-Matrix product(const Matrix& a, const Matrix& b)
-{
-    Matrix c{};
-    for (std::size_t column = 0; column < 4; ++column) {
-        for (std::size_t row = 0; row < 4; ++row) {
-            for (std::size_t k = 0; k < 4; ++k)
-                c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
-        }
-    }
-    return c;
-}
-
-Matrix translation(double x, double y, double z)
-{
-    return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1};
-}
-
 Matrix turnAboutX(double degrees)
 {
     const double c = std::cos(radians(degrees)), s = std::sin(radians(degrees));

@@ -1,12 +1,9 @@
 #pragma once
 
-#include <array>
+#include "matrix.h"
 
 /// Where the vogl programs look from: the volume's centre in the middle of the picture, turned about it.
 namespace vo {
-
-/// 16 values column by column, as OpenGL has them.
-using Matrix = std::array<double, 16>;
 
 /// Turned as the guide does: by longitude about z, then by -90 - latitude about x, so that at 0 0 z points up
 /// and y away from the eye.
