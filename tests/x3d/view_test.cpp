@@ -110,7 +110,7 @@ TEST_F(View, isosurfacesArePickedWhereTheyLie)
     expectNear(hit.normal, {-1, 0, 0}, 1e-3);
 }
 
-TEST_F(View, surfacesHideVolumesAndAreSeenFromOutside)
+TEST_F(View, surfacesHideVolumes)
 {
     read(std::string(kFromLeft) + kRamp +
          "<Transform translation='-3 0.5 0' scale='1 0.5 1'><Shape DEF='S'><Box size='1 2 "
@@ -122,6 +122,24 @@ TEST_F(View, surfacesHideVolumesAndAreSeenFromOutside)
     expectNear(hit.local, {-0.5, (8.5 / 16 - 0.5) / 0.5, 0.5 / 16}, 1e-5);
     ASSERT_TRUE(view.pick(32, 20, 0.5f, hit));
     EXPECT_EQ(hit.kind, voX3DPick::VOXEL);
+}
+
+TEST_F(View, solidFacesArePickedFromOutsideAlone)
+{
+    // Two squares that look to -z and +z, the one to +z farther from the eye at +z.
+    const auto square = [](const char* name, const char* solid, const char* z, const char* order) {
+        return std::string("<Transform translation='0 0 ") + z + "'><Shape DEF='" + name +
+               "'><IndexedFaceSet solid='" + solid + "' coordIndex='" + order +
+               "'><Coordinate point='-1 -1 0 1 -1 0 1 1 0 -1 1 0'/></IndexedFaceSet></Shape></Transform>";
+    };
+    const std::string viewpoint = "<OrthoViewpoint position='0 0 9' fieldOfView='-2 -2 2 2'/>";
+    read(viewpoint + square("Back", "true", "1", "3 2 1 0") + square("Front", "true", "0", "0 1 2 3"));
+    ASSERT_TRUE(view.pick(32, 32, 0, hit));
+    EXPECT_EQ(hit.node, scene.find("Front"));
+    read(viewpoint + square("Back", "false", "1", "3 2 1 0") + square("Front", "true", "0", "0 1 2 3"));
+    ASSERT_TRUE(view.pick(32, 32, 0, hit));
+    EXPECT_EQ(hit.node, scene.find("Back"));
+    expectNear(hit.normal, {0, 0, 1}, 1e-6);
 }
 
 TEST_F(View, segmentsThatAreHiddenAreNotPicked)
