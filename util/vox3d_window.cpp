@@ -44,18 +44,29 @@ double now()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-void eachNode(const voX3DNode& node, const std::function<void(voX3DNode)>& take)
+/// Nodes may stand in more places than anyone waits for.
+constexpr int kMostPlaces = 1'000'000;
+
+void eachNode(const voX3DNode& node, int& rest, const std::function<void(voX3DNode)>& take)
 {
+    if (rest-- <= 0) return;
     take(node);
     for (int i = 0; i < node.getInlinedCount(); ++i)
-        eachNode(node.getInlined(i), take);
+        eachNode(node.getInlined(i), rest, take);
     for (int i = 0; i < node.getFieldCount(); ++i) {
         const char* const field = node.getFieldName(i);
         const auto type = node.getFieldType(field);
         if (type != voX3DScope::SF_NODE && type != voX3DScope::MF_NODE) continue;
         for (int k = 0; k < node.getCount(field); ++k)
-            eachNode(node.getNode(field, k), take);
+            eachNode(node.getNode(field, k), rest, take);
     }
+}
+
+void eachNode(const voX3DScene& scene, const std::function<void(voX3DNode)>& take)
+{
+    int rest = kMostPlaces;
+    for (int i = 0; i < scene.getRootCount(); ++i)
+        eachNode(scene.getRoot(i), rest, take);
 }
 
 /// Other styles for the volumes of a scene, behind their own where that has no surfaces of its own.
@@ -64,10 +75,9 @@ class StyleToggle
 public:
     explicit StyleToggle(voX3DScene& scene) : scene_(scene)
     {
-        for (int i = 0; i < scene.getRootCount(); ++i)
-            eachNode(scene.getRoot(i), [this](voX3DNode node) {
-                if (node.isType("VolumeData")) own_.push_back({node, node.getNode("renderStyle")});
-            });
+        eachNode(scene, [this](voX3DNode node) {
+            if (node.isType("VolumeData")) own_.push_back({node, node.getNode("renderStyle")});
+        });
     }
 
     void next()
@@ -112,12 +122,11 @@ public:
         : view_(view), options_(options), window_(window), styles_(scene), target_(window.gl())
     {
         current_ = this;
-        for (int i = 0; i < scene.getRootCount(); ++i)
-            eachNode(scene.getRoot(i), [this](const voX3DNode& node) {
-                hasSensors_ = hasSensors_ || node.isType("TouchSensor");
-                if (node.isType("NavigationInfo") && node.getCount("type") > 0 && !isFlying_)
-                    isFlying_ = std::string_view(node.getString("type")) == "FLY";
-            });
+        eachNode(scene, [this](const voX3DNode& node) {
+            hasSensors_ = hasSensors_ || node.isType("TouchSensor");
+            if (node.isType("NavigationInfo") && node.getCount("type") > 0 && !isFlying_)
+                isFlying_ = std::string_view(node.getString("type")) == "FLY";
+        });
         started_ = now();
         connect();
     }
