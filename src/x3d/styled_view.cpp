@@ -235,14 +235,14 @@ std::vector<const Node*> SceneView::viewpoints() const
 void checkView(Scene& scene)
 {
     SceneView view(scene, VoxelReading::sizesAlone);
-    view.styledScene({});
+    const StyledScene styled = view.styledScene({});
     std::set<const Node*> seen;
     for (const ShownNode& shown : view.d->shown.nodes)
         seen.insert(shown.node);
     // Those that other levels, choices and times may show.
     for (const auto& node : scene.nodes())
         if (isOf(node.get(), "X3DVolumeDataNode") && !seen.contains(node.get()))
-            view.d->volumes.of({node.get(), glm::dmat4(1.0), {}, {}, {}});
+            view.d->volumes.of({node.get(), glm::dmat4(1.0), {}, {}, {}}, styled, {});
 }
 
 } // namespace vo
