@@ -15,6 +15,8 @@
 #include <vo/Error.h>
 #include <vo/x3d/StyledVolume.h>
 
+#include "x3d/plane_spacing.h"
+
 namespace {
 
 using namespace vo;
@@ -78,6 +80,14 @@ StyledScene sceneOf(const Voxels& voxels, const glm::dmat4& model, const glm::dm
     volume.surroundings.lights = {headlight};
     scene.volumes = {volume};
     return scene;
+}
+
+/// Of planes as far apart as the library has them where nobody chooses (plane_spacing_test).
+std::vector<double> referenceOf(StyledScene scene)
+{
+    StyledVolume& volume = scene.volumes[0];
+    volume.spacing = planeSpacing(scene, volume, usualSampling(volume)).distance;
+    return styledReference(scene);
 }
 
 double psnr(const std::vector<float>& picture, const std::vector<double>& reference)
@@ -164,7 +174,7 @@ TEST_P(StyledVolumeGl, bothEnginesDrawTheReference)
         for (const glm::dmat4& projection : projections) {
             StyledScene expected = sceneOf(voxels, turned(), projection);
             expected.volumes[0].chains = {{styleWithReference(each.style)}};
-            const std::vector<double> reference = styledReference(expected);
+            const std::vector<double> reference = referenceOf(expected);
             voX3DStyledVolume volume(scene, each.node, const_cast<voBrickSetCollection*>(&voxels.bricks));
             for (const voEngine engine : kEngines) {
                 context_->clear();
@@ -189,7 +199,7 @@ TEST_P(StyledVolumeGl, shadowsFallAsInTheReference)
     StyleLight side = expected.volumes[0].surroundings.lights[0];
     side.direction = glm::vec3(glm::inverse(glm::dmat3(turned())) * glm::dvec3(-1, 0, 0));
     expected.volumes[0].surroundings.lights = {side};
-    const std::vector<double> reference = styledReference(expected);
+    const std::vector<double> reference = referenceOf(expected);
     voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks));
     volume.setHeadlight(VO_FALSE);
     volume.addLight(-1, 0, 0, 1);

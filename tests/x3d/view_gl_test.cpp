@@ -24,7 +24,8 @@ constexpr const char* kGradientScene =
     "<BoundaryEnhancementVolumeStyle gradientColor='1 0.3 0 0.8'/>"
     "</VolumeData></Transform></Scene></X3D>";
 
-void expectOnePicture(const char* text)
+/// With planes `sampling` apart, 0 for the usual distance.
+void expectOnePicture(const char* text, double sampling)
 {
     constexpr int kWidth = 60, kHeight = 50;
     std::string whyNot;
@@ -34,9 +35,7 @@ void expectOnePicture(const char* text)
     ASSERT_TRUE(scene.readText(text, std::char_traits<char>::length(text), "test"));
     voX3DView view(scene);
     view.setSize(kWidth, kHeight);
-    // With few planes no pixel lies so close to the box's outline that edges at 1/256 of a pixel move all of
-    // them.
-    view.setSampling(16);
+    view.setSampling(sampling);
     std::vector<float> expected(4 * kWidth * kHeight);
     ASSERT_TRUE(view.picture(expected.data()));
     for (const voEngine engine : {voEngineScope::SLICES, voEngineScope::CAST, voEngineScope::AUTOMATIC}) {
@@ -51,10 +50,14 @@ void expectOnePicture(const char* text)
         EXPECT_EQ(viewport[3], 4) << "state is given back";
         EXPECT_EQ(gl.GetError(), GLenum(GL_NO_ERROR));
         const auto found = context->readFloats();
-        double most = 0;
+        // Few planes lie apart at the box's outline. Of many, edges at 1/256 of a pixel move all at a time,
+        // in at most 2 pixels of 1000.
+        const double alike = engine == voEngineScope::CAST ? 1e-6 : 0.01;
+        int others = 0;
         for (std::size_t i = 0; i < found.size(); ++i)
-            most = std::max(most, double(std::abs(found[i] - expected[i])));
-        EXPECT_LT(most, engine == voEngineScope::CAST ? 1e-6 : 0.01) << engine;
+            others += double(std::abs(found[i] - expected[i])) >= alike;
+        EXPECT_LE(others, sampling > 0 || engine == voEngineScope::CAST ? 0 : 4 * kWidth * kHeight / 500)
+            << engine;
     }
     view.releaseDrawing();
     EXPECT_GT(expected[4 * (25 * kWidth + 30)], 0.1f) << "the volume is seen";
@@ -62,12 +65,14 @@ void expectOnePicture(const char* text)
 
 TEST(ViewGl, bothEnginesDrawThePictureThatIsThereWithoutOpenGl)
 {
-    expectOnePicture(kScene);
+    for (const double sampling : {0.0, 16.0})
+        expectOnePicture(kScene, sampling);
 }
 
 TEST(ViewGl, bothEnginesMixInGradientColors)
 {
-    expectOnePicture(kGradientScene);
+    for (const double sampling : {0.0, 16.0})
+        expectOnePicture(kGradientScene, sampling);
 }
 
 /// Opaque things of the program stand before the sky, and hide what is behind them.

@@ -152,7 +152,10 @@ TEST_F(View, segmentsThatAreHiddenAreNotPicked)
     EXPECT_GT(hit.world[0], 0) << "the half of number 0 is not there";
 }
 
-/// 9 x 1 x 1 voxels, as many wide, of any values; the eye looks along +x, and planes are 1 apart.
+/// With it, planes are 1 apart in rowOf(), which has 32 of them otherwise.
+constexpr double kRowSampling = 32.0 / 9.0;
+
+/// 9 x 1 x 1 voxels, as many wide, of any values; the eye looks along +x.
 std::string rowOf(const std::string& values, const std::string& style)
 {
     return "<OrthoViewpoint position='-10 0 0' orientation='0 1 0 -1.570796327' fieldOfView='-2 -2 2 2'/>"
@@ -169,6 +172,7 @@ TEST_F(View, projectionsArePickedWhereTheVoxelLiesThatTheyShow)
     };
     // Voxels lie at -4 to 4. Planes lie half a voxel from them; a sample is the mean of two voxels.
     const std::string row = "50 100 100 40 10 20 250 250 30";
+    view.setSampling(kRowSampling);
     for (const Case& each : {Case{"type='MAX'", 2.5}, Case{"type='MIN'", 0.5}, Case{"type='AVERAGE'", 2.5},
                              Case{"type='MAX' intensityThreshold='0.25'", -2.5}}) {
         read(rowOf(row, std::string("<ProjectionVolumeStyle ") + each.fields + "/>"));
@@ -183,6 +187,7 @@ TEST_F(View, projectionsArePickedWhereTheVoxelLiesThatTheyShow)
 TEST_F(View, projectionsEndAtOpaqueSurfacesAndStandAtTheirFirstSample)
 {
     const std::string row = rowOf("50 100 100 40 10 20 250 250 30", "<ProjectionVolumeStyle/>");
+    view.setSampling(kRowSampling);
     const auto wallAt = [](double x, const char* transparency) {
         return "<Transform translation='" + std::to_string(x) +
                " 0 0'><Shape DEF='S'><Appearance><Material transparency='" + transparency +
