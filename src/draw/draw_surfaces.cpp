@@ -137,8 +137,9 @@ void TranslucentSurfaces::divide(std::span<const double> depths)
     const double most = (farthest - nearest) / kLeastSlabs;
     for (std::size_t i = borders_.size() - 1; i-- > 0 && most > 0.0;) {
         const double from = std::min(borders_[i], farthest), to = std::max(borders_[i + 1], nearest);
-        for (double depth = from - most; depth > to; depth -= most)
-            borders_.push_back(inSinglePrecision(depth));
+        const auto parts = static_cast<int>(std::ceil((from - to) / most));
+        for (int part = 1; part < parts; ++part)
+            borders_.push_back(inSinglePrecision(from - part * most));
     }
     borders_.push_back(kEnd);
     borders_.push_back(-kEnd);

@@ -157,6 +157,23 @@ TEST(ViewGl, projectionsOfThinSheetsFarAwayAreThere)
     }
 }
 
+/// Its depths differ by less than numbers tell apart in 1 of 512 of them.
+TEST(ViewGl, translucentShapesMayBeSmallForTheirDistance)
+{
+    const auto context = vo::openOffscreen({.width = 8, .height = 8, .floatColor = true});
+    ASSERT_TRUE(context);
+    const std::string text = "<X3D profile='Full' version='4.0'><Scene><Viewpoint position='0 0 5'/>"
+                             "<Transform translation='0 0 -1e14'><Shape><Appearance>"
+                             "<Material transparency='0.5'/></Appearance><Sphere/></Shape></Transform>"
+                             "</Scene></X3D>";
+    voX3DScene scene;
+    ASSERT_TRUE(scene.readText(text.data(), text.size(), "test"));
+    voX3DView view(scene);
+    view.setSize(8, 8);
+    context->clear();
+    EXPECT_TRUE(view.draw(voEngineScope::SLICES)) << voError::getErrorString();
+}
+
 TEST(ViewGl, anotherContextIsRefusedUntilDrawingIsReleased)
 {
     const auto first = vo::openOffscreen({.width = 8, .height = 8}),
