@@ -26,7 +26,7 @@ constexpr double kStippleReach = 3.0;
 /// Part of a ray inside of one cell of a volume: its box, or a tetrahedron.
 struct CellSpan
 {
-    DepthRange depths;
+    RayPart depths;
     DepthRay place;
     glm::dmat3 placeFromPosition{1.0}; ///< the linear part
     glm::vec3 normal{0.0f};            ///< of the face it enters through, outwards
@@ -47,7 +47,7 @@ void cutAtPlane(CellSpan& span, const DepthRay& ray, const glm::dvec4& plane)
     cutAtFace(span, glm::dot(normal, ray.origin) + plane.w, glm::dot(normal, ray.direction), -normal);
 }
 
-CellSpan boxSpan(const StyledVolume& volume, const DepthRay& local, DepthRange depths)
+CellSpan boxSpan(const StyledVolume& volume, const DepthRay& local, RayPart depths)
 {
     const glm::dvec3 size(volume.dimensions);
     CellSpan span{depths, {local.origin / size + 0.5, local.direction / size}, glm::dmat3(1.0), {}};
@@ -64,7 +64,7 @@ CellSpan boxSpan(const StyledVolume& volume, const DepthRay& local, DepthRange d
 
 /// Nothing for tetrahedra that are flat or name corners that are not there.
 std::optional<CellSpan> tetraSpan(const StyledTetras& tetras, std::size_t tetra, const DepthRay& local,
-                                  DepthRange depths)
+                                  RayPart depths)
 {
     const std::optional<TetraCorners> corners = cornersOf(tetras, tetra);
     const std::optional<glm::dmat4> place = corners ? corners->placeFromLocal() : std::nullopt;
@@ -84,13 +84,13 @@ std::optional<CellSpan> tetraSpan(const StyledTetras& tetras, std::size_t tetra,
 
 /// What the ray crosses of a volume, the nearest first.
 std::vector<CellSpan> spansOf(const StyledVolume& volume, const DepthRay& world, const DepthRay& local,
-                              DepthRange depths)
+                              RayPart depths)
 {
     std::vector<CellSpan> spans;
     const auto add = [&](CellSpan span) {
         const glm::dmat3 localFromWorld = glm::inverse(glm::dmat3(volume.worldFromLocal));
         for (const glm::dvec4& plane : volume.clipPlanes) {
-            const DepthRange before = span.depths;
+            const RayPart before = span.depths;
             span.depths.cut(glm::dot(glm::dvec3(plane), world.origin) + plane.w,
                             glm::dot(glm::dvec3(plane), world.direction));
             if (span.depths.begin > before.begin)
@@ -392,7 +392,7 @@ private:
         hit_ = {SceneHit::Kind::surface, surface.id, world, local.at(depth), {}, glm::vec3(unit), 1, depth};
     }
 
-    DepthRange eyeDepths_;
+    RayPart eyeDepths_;
     DepthRay world_;
     glm::dvec2 pixel_;
     double front_;  ///< where what is hit stands: hides what is behind

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMostPlanes = 1 << 24;
 
 /// The part of a ray with all three numbers from 0 to 1.
-void cutToUnitCube(const DepthRay& place, DepthRange& depths)
+void cutToUnitCube(const DepthRay& place, RayPart& depths)
 {
     for (int axis = 0; axis < 3; ++axis) {
         depths.cut(place.origin[axis], place.direction[axis]);
@@ -23,7 +23,7 @@ void cutToUnitCube(const DepthRay& place, DepthRange& depths)
 
 } // namespace
 
-bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const TetraSpan> spans)
+bool RayPath::begin(const DepthRay& ray, RayPart depths, std::span<const TetraSpan> spans)
 {
     pieces_.clear();
     lastPlane_.reset();
@@ -40,8 +40,7 @@ bool RayPath::begin(const DepthRay& ray, DepthRange depths, std::span<const Tetr
         addPiece(depths, place, -1);
     }
     for (const TetraSpan& span : spans) {
-        const DepthRange part{std::max(depths.begin, span.depths.begin),
-                              std::min(depths.end, span.depths.end)};
+        const RayPart part{std::max(depths.begin, span.depths.begin), std::min(depths.end, span.depths.end)};
         addPiece(part, transformed(volume_.tetras->placeFromLocal(span.tetra), local_),
                  static_cast<int>(span.tetra));
     }
@@ -61,7 +60,7 @@ void RayPath::toPlanes()
 
 /// A plane at which one piece ends and the next begins belongs to the first. Pieces between two planes may
 /// have surfaces.
-void RayPath::addPiece(DepthRange depths, const DepthRay& place, int tetra)
+void RayPath::addPiece(RayPart depths, const DepthRay& place, int tetra)
 {
     if (depths.empty()) return;
     const double first = std::ceil(depths.begin / volume_.styled->spacing - 0.5);

@@ -28,7 +28,7 @@ class RayPath
 public:
     struct Piece
     {
-        DepthRange depths;
+        RayPart depths;
         std::int64_t first = 0, last = -1; ///< sampling planes in it
         DepthRay place;
         int tetra = -1; ///< below 0: the box
@@ -38,7 +38,7 @@ public:
 
     /// Starts a ray of eye space; false if no sampling plane meets it in the volume within `depths`. `spans`:
     /// of the volume's tetrahedra.
-    bool begin(const DepthRay& ray, DepthRange depths, std::span<const TetraSpan> spans);
+    bool begin(const DepthRay& ray, RayPart depths, std::span<const TetraSpan> spans);
     /// The next samples, up to kChunkSize; false at the end.
     bool next(SampleChunk& chunk);
 
@@ -58,7 +58,7 @@ public:
     double unitsOfSample() const;
 
 private:
-    void addPiece(DepthRange depths, const DepthRay& place, int tetra);
+    void addPiece(RayPart depths, const DepthRay& place, int tetra);
     void toPlanes();
     void leap();
     int samplesToLeap(const glm::vec3& cell, const glm::vec3& step) const;

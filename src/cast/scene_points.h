@@ -32,7 +32,7 @@ private:
     void add(const StyledVolume& volume, int threads);
 
     const StyledScene& scene_;
-    DepthRange depths_;
+    RayPart depths_;
     TileGrid grid_;
     std::vector<std::vector<PixelPoint>> tiles_; ///< empty without points
 };

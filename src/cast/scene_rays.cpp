@@ -14,7 +14,7 @@ namespace {
 struct Line
 {
     DepthRay ray;
-    DepthRange depths;
+    RayPart depths;
 };
 
 Line lineOf(const glm::dmat4& eyeFromClip, const glm::dvec2& place)
@@ -38,7 +38,7 @@ bool isFinite(const glm::dvec3& v)
 
 } // namespace
 
-void DepthRange::cut(double value, double slope)
+void RayPart::cut(double value, double slope)
 {
     if (slope == 0.0 || !std::isfinite(slope)) {
         if (!(value >= 0.0)) end = -std::numeric_limits<double>::infinity();

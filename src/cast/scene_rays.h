@@ -20,7 +20,7 @@ struct DepthRay
 };
 
 /// Part of a ray, in eye depth; empty where begin is above end.
-struct DepthRange
+struct RayPart
 {
     double begin = 0.0, end = 0.0;
 
@@ -41,13 +41,13 @@ public:
     /// Eye depth of a normalised device coordinate z under such a point.
     double depthAt(double x, double y, double z) const;
     /// From the near to the far plane, both of which lie across the view.
-    const DepthRange& depths() const { return depths_; }
+    const RayPart& depths() const { return depths_; }
     const glm::dmat4& worldFromEye() const { return worldFromEye_; }
 
 private:
     glm::dmat4 worldFromEye_{1.0}, eyeFromClip_{1.0};
     glm::dvec2 pixel_{1.0};
-    DepthRange depths_;
+    RayPart depths_;
 };
 
 /// Where a point of eye space stands in the picture: pixels from its left and lower edge times w, and w.

@@ -65,10 +65,10 @@ void CastTetras::add(const StyledScene& scene, const StyledTetras& tetras, std::
     cells_.push_back(cell);
 }
 
-DepthRange CastTetras::rangeOf(const Cell& cell, const DepthRay& ray)
+RayPart CastTetras::rangeOf(const Cell& cell, const DepthRay& ray)
 {
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    DepthRange range{-kFar, kFar};
+    RayPart range{-kFar, kFar};
     for (const glm::dvec4& face : cell.faces)
         range.cut(glm::dot(glm::dvec3(face), ray.origin) + face.w, glm::dot(glm::dvec3(face), ray.direction));
     return range;
@@ -81,7 +81,7 @@ void CastTetras::spansOf(const PictureTile& tile, const SceneRays& rays, TetraTi
         const PictureTile pixels = pixelsOf(cells_[tetra].windows, tile);
         for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
             for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
-                const DepthRange range = rangeOf(cells_[tetra], rays.ray(x + 0.5, y + 0.5));
+                const RayPart range = rangeOf(cells_[tetra], rays.ray(x + 0.5, y + 0.5));
                 const auto pixel = static_cast<std::uint32_t>(tile.pixelAt(x, y));
                 if (!range.empty()) found.push_back({pixel, {range, tetra}});
             }

@@ -16,7 +16,7 @@ namespace vo {
 /// The part of a ray in one tetrahedron.
 struct TetraSpan
 {
-    DepthRange depths;
+    RayPart depths;
     std::uint32_t tetra = 0;
 };
 
@@ -61,7 +61,7 @@ private:
 
     void add(const StyledScene& scene, const StyledTetras& tetras, std::size_t tetra,
              const glm::dmat4& eyeFromLocal);
-    static DepthRange rangeOf(const Cell& cell, const DepthRay& ray);
+    static RayPart rangeOf(const Cell& cell, const DepthRay& ray);
 
     std::vector<Cell> cells_;
     TileGrid grid_;

@@ -36,7 +36,7 @@ StyledRay::StyledRay(const CastVolume& volume) : volume_(volume), path_(volume),
         !volume.styled->projection && std::all_of(volume.plans.begin(), volume.plans.end(), drops);
 }
 
-bool StyledRay::begin(const DepthRay& ray, DepthRange depths, double opaque, std::span<const TetraSpan> spans)
+bool StyledRay::begin(const DepthRay& ray, RayPart depths, double opaque, std::span<const TetraSpan> spans)
 {
     // A surface may lie before what is opaque and the sample after it behind.
     if (!volume_.styled->surfaces) depths.end = std::min(depths.end, opaque);

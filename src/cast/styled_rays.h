@@ -33,7 +33,7 @@ public:
     explicit StyledRay(const CastVolume& volume);
 
     /// Starts a ray of eye space that reaches to `opaque`, or the end of `depths`; false if it meets nothing.
-    bool begin(const DepthRay& ray, DepthRange depths, double opaque, std::span<const TetraSpan> spans);
+    bool begin(const DepthRay& ray, RayPart depths, double opaque, std::span<const TetraSpan> spans);
     /// The next fragments of the ray; false if there are no more.
     bool next(FragmentRun& run);
 
