@@ -5,6 +5,7 @@
 
 #include "x3d/interpolate.h"
 #include "x3d/node_values.h"
+#include "x3d/printable_word.h"
 
 namespace vo {
 namespace {
@@ -114,9 +115,22 @@ void SceneEvents::cascade(Waiting waiting)
     }
 }
 
+bool SceneEvents::mayHold(const Node& node, const FieldRow& row, const FieldValue& value)
+{
+    auto against = objection(row, value);
+    if (!against && makesCircle(node, value)) against = "expected nodes that it does not stand below";
+    if (!against) return true;
+    if (refused_.insert({&node, row.slot}).second)
+        scene_.tell(Severity::warning, node,
+                    node.typeName() + "." + row.name +
+                        (node.name.empty() ? "" : " of " + quotedWord(node.name)) +
+                        ": an event does not arrive: " + *against);
+    return false;
+}
+
 void SceneEvents::arrive(Node& node, const FieldRow& row, const FieldValue& value, Waiting& waiting)
 {
-    if (objection(row, value) || makesCircle(node, value)) return;
+    if (!mayHold(node, row, value)) return;
     if (row.access != Access::inputOutput) {
         takeInput(node, row, value, waiting);
         return;
@@ -146,7 +160,7 @@ void SceneEvents::takeInput(Node& node, const FieldRow& row, const FieldValue& v
             waiting);
     } else if (row.name.starts_with("set_")) {
         const FieldRow* const kept = node.field(std::string_view(row.name).substr(4));
-        if (!kept || kept->type != row.type || objection(*kept, value)) return;
+        if (!kept || kept->type != row.type || !mayHold(node, *kept, value)) return;
         node.put(kept->slot, value);
         ++changes_;
     }

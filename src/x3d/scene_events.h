@@ -27,7 +27,8 @@ public:
     /// Sends events out of fields at the present time, with one time stamp: a field sends one event for each,
     /// so that routes in a circle come to an end.
     void send(std::vector<SceneEvent> events);
-    /// Lets an event arrive at a field, as from a route. What the field may not hold does not arrive.
+    /// Lets an event arrive at a field, as from a route. What the field may not hold does not arrive, which
+    /// is a message, once for each field.
     void receive(Node& to, const FieldRow& row, const FieldValue& value);
 
     /// The viewpoint that set_bind chose last; nothing while none has.
@@ -43,6 +44,7 @@ private:
     void cascade(Waiting waiting);
     void runSensors();
     void arrive(Node& node, const FieldRow& row, const FieldValue& value, Waiting& waiting);
+    bool mayHold(const Node& node, const FieldRow& row, const FieldValue& value);
     void takeInput(Node& node, const FieldRow& row, const FieldValue& value, Waiting& waiting);
     void bind(Node& node, bool isBound, Waiting& waiting);
     TimeSensor* sensorOf(const Node& node);
@@ -54,6 +56,7 @@ private:
     std::vector<TimeSensor*> sensorOrder_; // of the scene
     std::set<TimeSensor*> unsettled_;      // had events since they were looked at
     std::multimap<Outlet, const Route> routes_;
+    std::set<Outlet> refused_; // fields that something did not arrive at, as was told
     Node* boundViewpoint_ = nullptr;
     std::uint64_t changes_ = 0;
 };

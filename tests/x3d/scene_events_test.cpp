@@ -257,5 +257,34 @@ TEST_F(SceneEventsTest, indicesThatAreSetAreKept)
     EXPECT_EQ(values<std::int32_t>("I", "index"), (std::vector<std::int32_t>{0, 1, 2}));
 }
 
+TEST_F(SceneEventsTest, whatDoesNotArriveIsToldOnceForEachField)
+{
+    const std::string text = "<X3D profile='Full' version='4.0'><Scene>\n"
+                             "<PointLight DEF='L'/>\n<Group DEF='G'/></Scene></X3D>";
+    ASSERT_TRUE(readSceneText(scene, text, "test"));
+    receive("L", "radius", std::vector<float>{-1});
+    receive("L", "radius", std::vector<float>{-2});
+    receive("L", "ambientIntensity", std::vector<float>{5});
+    receive("L", "intensity", std::vector<float>{std::nanf("")});
+    receive("G", "children", std::vector<Node*>{&node("G")});
+    receive("G", "addChildren", std::vector<Node*>{&node("G")});
+    EXPECT_EQ(number("L", "radius"), 100);
+    std::string told;
+    for (const SceneMessage& message : scene.messages)
+        told += messageLine(message) + "\n";
+    EXPECT_EQ(
+        told,
+        "test:2: warning: PointLight.radius of \"L\": an event does not arrive: expected numbers in "
+        "[0,inf), found -1\n"
+        "test:2: warning: PointLight.ambientIntensity of \"L\": an event does not arrive: expected "
+        "numbers in [0,1], found 5\n"
+        "test:2: warning: PointLight.intensity of \"L\": an event does not arrive: expected numbers in "
+        "[0,inf), found nan\n"
+        "test:3: warning: Group.children of \"G\": an event does not arrive: expected nodes that it does "
+        "not stand below\n"
+        "test:3: warning: Group.addChildren of \"G\": an event does not arrive: expected nodes that it does "
+        "not stand below\n");
+}
+
 } // namespace
 } // namespace vo
