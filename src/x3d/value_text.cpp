@@ -1,6 +1,7 @@
 #include "x3d/value_text.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "x3d/number_text.h"
 #include "x3d/printable_word.h"
@@ -100,6 +101,27 @@ bool isBoolean(FieldType type)
     return type == FieldType::sfBool || type == FieldType::mfBool;
 }
 
+/// 0xFF000080 for red and an opacity of a half.
+std::string pixelText(std::int32_t pixel, int components)
+{
+    constexpr char kDigits[] = "0123456789ABCDEF";
+    const auto bits = static_cast<std::uint32_t>(pixel);
+    std::string text = "0x";
+    for (int digit = 7; digit >= 0; --digit)
+        if (digit < 2 * components || bits >> (4 * digit) != 0) text += kDigits[bits >> (4 * digit) & 15u];
+    return text;
+}
+
+/// Sizes, and pixels of one component, which are numbers, are decimal.
+void addPixels(FieldType type, const std::vector<std::int32_t>& image,
+               const std::function<void(const std::string&)>& add)
+{
+    const std::size_t sizes = type == FieldType::sfImage ? 3 : 4;
+    const int components = image.size() < sizes ? 0 : type == FieldType::sfImage ? image[2] : image[0];
+    for (std::size_t i = 0; i < image.size(); ++i)
+        add(i < sizes || components < 2 ? std::to_string(image[i]) : pixelText(image[i], components));
+}
+
 } // namespace
 
 bool parseAttribute(const FieldRow& row, std::string_view text, FieldValue& value, ValueError& error,
@@ -141,8 +163,9 @@ std::string quotedText(std::string_view text)
     return out + '"';
 }
 
-std::string valueText(FieldType type, const FieldValue& value, Encoding encoding)
+std::string valueText(const FieldRow& row, const FieldValue& value, Encoding encoding)
 {
+    const FieldType type = row.type;
     if (encoding == Encoding::xml && type == FieldType::sfString)
         return std::get<std::vector<std::string>>(value).front();
     std::string out;
@@ -156,7 +179,10 @@ std::string valueText(FieldType type, const FieldValue& value, Encoding encoding
     else if (const auto* const doubles = std::get_if<std::vector<double>>(&value))
         for (const double number : *doubles)
             add(numberText(number));
-    else if (const auto* const integers = std::get_if<std::vector<std::int32_t>>(&value))
+    else if (const auto* const integers = std::get_if<std::vector<std::int32_t>>(&value);
+             integers && holdsPixels(row.name))
+        addPixels(type, *integers, add);
+    else if (integers)
         for (const std::int32_t number : *integers)
             add(!isBoolean(type)                ? std::to_string(number)
                 : encoding == Encoding::classic ? (number ? "TRUE" : "FALSE")

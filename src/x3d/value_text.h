@@ -29,8 +29,9 @@ constexpr bool holdsPixels(std::string_view fieldName)
 bool parseAttribute(const FieldRow& row, std::string_view text, FieldValue& value, ValueError& error,
                     std::string& remark);
 
-/// The value as an attribute of XML, before what XML escapes is, or with brackets in ClassicVRML.
-std::string valueText(FieldType type, const FieldValue& value, Encoding encoding);
+/// The value as an attribute of XML, before what XML escapes is, or with brackets in ClassicVRML. Pixels of
+/// several components are hexadecimal, two digits for each.
+std::string valueText(const FieldRow& row, const FieldValue& value, Encoding encoding);
 
 /// A string in quotes, with what needs it behind a backslash.
 std::string quotedText(std::string_view text);

@@ -116,6 +116,25 @@ private:
             out_ += "META " + quotedText(meta.name) + " " + quotedText(meta.content) + "\n";
     }
 
+    /// In lines of about 100 characters where blanks stand between numbers.
+    void addValue(const std::string& before, const FieldRow& row, std::string text, const char* behind)
+    {
+        constexpr std::size_t kLine = 100;
+        out_ += before;
+        const bool isBroken = shapeOf(row.type).storage != Storage::strings;
+        std::size_t column = out_.size() - (out_.rfind('\n') + 1);
+        std::size_t lastBlank = text.npos;
+        for (std::size_t i = 0; isBroken && i <= text.size(); ++i, ++column) {
+            if (i < text.size() && text[i] != ' ') continue;
+            if (column > kLine && lastBlank != text.npos) {
+                text[lastBlank] = '\n';
+                column = i - lastBlank;
+            }
+            lastBlank = i;
+        }
+        out_ += text + behind;
+    }
+
     void indent() { out_.append(static_cast<std::size_t>(depth_) * 2, ' '); }
 
     /// From where the line has been indented; ends the line.
@@ -153,7 +172,7 @@ private:
             if (shapeOf(row.type).storage == Storage::nodes)
                 hasNodes = hasNodes || sizeOf(value) > 0;
             else
-                out_ += " " + row.name + "='" + escaped(valueText(row.type, value, Encoding::xml)) + "'";
+                addValue(" " + row.name + "='", row, escaped(valueText(row, value, Encoding::xml)), "'");
         }
         out_ += hasNodes ? ">\n" : "/>\n";
         if (!hasNodes) return;
@@ -179,7 +198,7 @@ private:
             out_ += row.name + " ";
             const auto* const below = std::get_if<std::vector<Node*>>(&value);
             if (!below)
-                out_ += valueText(row.type, value, Encoding::classic) + "\n";
+                addValue("", row, valueText(row, value, Encoding::classic), "\n");
             else if (row.type == FieldType::sfNode)
                 below->empty() ? void(out_ += "NULL\n") : writeNode(*below->front(), {});
             else

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
+#include <sstream>
 
 #include "same_graph.h"
 #include "x3d/read_scene.h"
@@ -239,6 +240,70 @@ ROUTE Path.value_changed TO Turn.rotation
     EXPECT_EQ(sceneText(fromXml, Encoding::xml), sceneText(fromClassic, Encoding::xml));
     EXPECT_EQ(fromXml.roots.size(), 3u);
     EXPECT_EQ(fromXml.routes.size(), 2u);
+}
+
+/// What is written of nodes, in lines.
+std::vector<std::string> writtenLines(const std::string& nodes, Encoding encoding)
+{
+    Scene scene;
+    EXPECT_TRUE(
+        readSceneText(scene, "<X3D profile='Full' version='4.0'><Scene>" + nodes + "</Scene></X3D>", "s"));
+    std::vector<std::string> lines;
+    std::istringstream text(sceneText(scene, encoding));
+    for (std::string line; std::getline(text, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+TEST(RoundTrip, pixelsOfSeveralComponentsAreHexadecimal)
+{
+    const auto image = [](const std::string& type, const std::string& written) {
+        const std::string node = "<" + type + (type == "PixelTexture3D" ? " containerField='voxels'" : "") +
+                                 " image='" + written + "'/>";
+        const std::string nodes = type == "PixelTexture3D"
+                                      ? "<VolumeData>" + node + "</VolumeData>"
+                                      : "<Shape><Appearance>" + node + "</Appearance></Shape>";
+        for (const std::string& line : writtenLines(nodes, Encoding::xml))
+            if (const auto at = line.find("image='"); at != line.npos)
+                return line.substr(at + 7, line.find('\'', at + 7) - at - 7);
+        return std::string();
+    };
+    EXPECT_EQ(image("PixelTexture", "1 2 4 -16777216 255"), "1 2 4 0xFF000000 0x000000FF");
+    EXPECT_EQ(image("PixelTexture", "2 1 2 65535 1"), "2 1 2 0xFFFF 0x0001");
+    EXPECT_EQ(image("PixelTexture", "1 1 1 0x10"), "1 1 1 16");
+    EXPECT_EQ(image("PixelTexture", "1 1 3 0x1FFFFFF"), "1 1 3 0x1FFFFFF") << "no bit is lost";
+    EXPECT_EQ(image("PixelTexture3D", "3 1 1 2 0 16711680"), "3 1 1 2 0x000000 0xFF0000");
+    EXPECT_EQ(image("PixelTexture3D", "1 1 1 2 0 255"), "1 1 1 2 0 255");
+    EXPECT_EQ(image("PixelTexture3D", "0 0 0 0"), "0 0 0 0");
+}
+
+TEST(RoundTrip, longValuesAreInLines)
+{
+    std::string image = "300 1 4", keys;
+    for (int i = 0; i < 300; ++i) {
+        image += " " + std::to_string(i * 1000003);
+        keys += " " + std::to_string(i) + ".5";
+    }
+    const std::string nodes = "<Shape><Appearance><PixelTexture image='" + image +
+                              "'/></Appearance></Shape><ScalarInterpolator key='" + keys + "'/>";
+    for (const Encoding encoding : {Encoding::xml, Encoding::classic}) {
+        std::size_t longest = 0, full = 0;
+        for (const std::string& line : writtenLines(nodes, encoding)) {
+            longest = std::max(longest, line.size());
+            full += line.size() > 85 ? 1 : 0;
+        }
+        EXPECT_LE(longest, 101u);
+        EXPECT_GE(full, (300 * 11 + 300 * 5) / 110u) << "lines are filled";
+    }
+    // Where it is no number, a blank is a part of it.
+    const std::string title(300, 'a');
+    Scene scene;
+    readSceneText(scene,
+                  "<X3D profile='Full' version='4.0'><Scene><WorldInfo title='" + title + " b " + title +
+                      "'/>" + nodes + "</Scene></X3D>",
+                  "s");
+    EXPECT_EQ(afterRoundTrip(scene, Encoding::xml), "");
+    EXPECT_EQ(afterRoundTrip(scene, Encoding::classic), "");
 }
 
 } // namespace
