@@ -29,6 +29,7 @@ bool isPicture(const std::string& path)
 /// Files that are not there were told of with the urls.
 void checkAtlas(const Scene& scene, const Node& node, ViewMessages& messages)
 {
+    if (lacksRefusedValue(scene, node)) return;
     const std::string wrong = atlasObjection(node);
     if (!wrong.empty()) return messages.error(node, node.typeName() + ": " + wrong);
     if (stringsOf(node, "url").empty() || !fileOf(scene, node).empty())

@@ -5,6 +5,7 @@
 
 #include "x3d/number_text.h"
 #include "x3d/printable_word.h"
+#include "x3d/text_lines.h"
 #include "x3d/value_text.h"
 
 namespace vo {
@@ -44,13 +45,19 @@ private:
     static bool isBlank(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
     static bool isSign(char c) { return c == '{' || c == '}' || c == '[' || c == ']'; }
 
+    void step()
+    {
+        line_ += endsLine(text_, at_);
+        ++at_;
+    }
+
     void skipBlanks()
     {
         while (at_ < text_.size()) {
             if (text_[at_] == '#')
-                at_ = std::min(text_.find('\n', at_), text_.size());
+                at_ = std::min(text_.find_first_of("\r\n", at_), text_.size());
             else if (isBlank(text_[at_]))
-                line_ += text_[at_++] == '\n';
+                step();
             else
                 return;
         }
@@ -76,9 +83,9 @@ private:
     void advanceString()
     {
         const std::size_t from = ++at_;
-        for (; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-            line_ += text_[at_] == '\n';
-            if (text_[at_] == '\\' && at_ + 1 < text_.size()) line_ += text_[++at_] == '\n';
+        while (at_ < text_.size() && text_[at_] != '"') {
+            if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;
+            step();
         }
         next_.kind = at_ < text_.size() ? Kind::string : Kind::broken;
         next_.text = text_.substr(from, at_ - from);
@@ -119,14 +126,19 @@ public:
             const Lexer::Token& next = lexer_.peek();
             if (next.is("PROFILE")) {
                 const int line = lexer_.take().line;
-                builder_.setProfile(lexer_.take().text, line);
+                const std::string_view profile = word("the name of a profile");
+                if (builder_.gaveUp()) return;
+                if (hasProfile) builder_.warn(line, "PROFILE is given twice; this one is kept");
+                builder_.setProfile(profile, line);
                 hasProfile = true;
             } else if (next.is("COMPONENT")) {
                 readComponent();
             } else if (next.is("META")) {
                 lexer_.take();
-                const auto name = lexer_.take(), content = lexer_.take();
-                builder_.header.metas.push_back({unescaped(name.text), unescaped(content.text)});
+                const std::string name = string("a name in quotes for META"),
+                                  content = string("a text in quotes for META");
+                if (builder_.gaveUp()) return;
+                builder_.header.metas.push_back({name, content});
             } else {
                 readStatement();
             }
@@ -159,14 +171,30 @@ private:
     void readComponent()
     {
         const int line = lexer_.take().line;
-        const std::string_view word = lexer_.take().text;
-        const auto colon = std::min(word.rfind(':'), word.size());
+        const std::string_view text = word("a name, a colon and a level for COMPONENT");
+        if (builder_.gaveUp()) return;
+        const auto colon = std::min(text.rfind(':'), text.size());
         int level = 1;
-        if (colon == word.size() || !parseNumber(word.substr(colon + 1), level))
+        if (colon == text.size() || !parseNumber(text.substr(colon + 1), level))
             builder_.wrong(line,
-                           "COMPONENT: expected a name, a colon and a level, found " + quotedWord(word));
+                           "COMPONENT: expected a name, a colon and a level, found " + quotedWord(text));
         else
-            builder_.addComponent(word.substr(0, colon), level, line);
+            builder_.addComponent(text.substr(0, colon), level, line);
+    }
+
+    /// The next word; "" after giving up where none stands there.
+    std::string_view word(const char* what)
+    {
+        if (lexer_.peek().kind == Lexer::Kind::word) return lexer_.take().text;
+        expected(what);
+        return {};
+    }
+
+    std::string string(const char* what)
+    {
+        if (lexer_.peek().kind == Lexer::Kind::string) return unescaped(lexer_.take().text);
+        expected(what);
+        return {};
     }
 
     void expected(const std::string& what)
@@ -198,11 +226,13 @@ private:
         std::string_view name;
         const int line = lexer_.peek().line;
         if (lexer_.skip("USE")) {
-            if (Node* const node = builder_.use(lexer_.take().text, line))
-                builder_.attach(*node, field, line);
+            const std::string_view used = word("a name behind USE");
+            if (builder_.gaveUp()) return;
+            if (Node* const node = builder_.use(used, line)) builder_.attach(*node, field, line);
             return;
         }
-        if (lexer_.skip("DEF")) name = lexer_.take().text;
+        if (lexer_.skip("DEF")) name = word("a name behind DEF");
+        if (builder_.gaveUp()) return;
         const Lexer::Token typeName = lexer_.take();
         if (typeName.kind != Lexer::Kind::word || !lexer_.peek().is("{"))
             return expected("{ behind the name of a node");
@@ -224,7 +254,7 @@ private:
     void readField()
     {
         const Lexer::Token& next = lexer_.peek();
-        if (next.kind != Lexer::Kind::word) return expected("the name of a field, or }");
+        if (next.kind != Lexer::Kind::word || isNumber(next)) return expected("the name of a field, or }");
         if (next.is("ROUTE")) return readRoute();
         if (next.is("PROTO") || next.is("EXTERNPROTO")) return skipStatement();
         const Lexer::Token name = lexer_.take();
@@ -307,9 +337,12 @@ private:
     void readRoute()
     {
         const int line = lexer_.take().line;
-        const std::string_view from = lexer_.take().text;
-        if (!lexer_.skip("TO")) return expected("ROUTE node.field TO node.field");
-        const std::string_view to = lexer_.take().text;
+        const char* const form = "ROUTE node.field TO node.field";
+        const std::string_view from = word(form);
+        if (builder_.gaveUp()) return;
+        if (!lexer_.skip("TO")) return expected(form);
+        const std::string_view to = word(form);
+        if (builder_.gaveUp()) return;
         const auto fromDot = from.find('.'), toDot = to.find('.');
         if (fromDot == from.npos || toDot == to.npos)
             return builder_.wrong(line, "ROUTE: expected node.field TO node.field, found \"" +
@@ -321,24 +354,26 @@ private:
     /// What is not read: prototypes and the like.
     void skipStatement()
     {
-        const Lexer::Token word = lexer_.take();
-        builder_.warn(word.line, printableWord(word.text) + " is not supported, skipped");
-        if (word.is("PROTO") || word.is("EXTERNPROTO")) {
-            builder_.warn(word.line, "so are the nodes of " + quotedWord(lexer_.take().text));
+        const Lexer::Token what = lexer_.take();
+        builder_.warn(what.line, printableWord(what.text) + " is not supported, skipped");
+        if (what.is("PROTO") || what.is("EXTERNPROTO")) {
+            const std::string_view name = word("the name of a prototype");
+            if (builder_.gaveUp()) return;
+            builder_.warn(what.line, "so are the nodes of " + quotedWord(name));
             skipBraces();
-            if (word.is("PROTO"))
+            if (what.is("PROTO"))
                 skipBraces();
             else
                 skipValue();
             return;
         }
         // IMPORT a.b AS c; EXPORT a AS b; UNIT length name 1.0
-        lexer_.take();
-        if (word.is("UNIT")) {
-            lexer_.take();
-            lexer_.take();
+        word("a name");
+        if (what.is("UNIT")) {
+            word("a name");
+            word("a number");
         } else if (lexer_.skip("AS")) {
-            builder_.skipName(lexer_.take().text);
+            builder_.skipName(word("a name behind AS"));
         }
     }
 

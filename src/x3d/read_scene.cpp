@@ -4,6 +4,7 @@
 #include "x3d/printable_word.h"
 #include "x3d/scene_text.h"
 #include "x3d/text_lines.h"
+#include "x3d/utf8_text.h"
 
 namespace vo {
 namespace {
@@ -51,10 +52,15 @@ private:
     static void readText(std::string_view text, SceneBuilder& builder)
     {
         if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+        if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+            return builder.giveUp(1, "expected text in UTF-8, found UTF-16 or UTF-32");
         const auto zero = text.find('\0');
         if (zero != text.npos)
             return builder.giveUp(TextLines(text.substr(0, zero)).lineAt(zero),
                                   "expected text in UTF-8, found a zero byte");
+        if (const auto wrong = firstWrongByte(text); wrong != text.npos)
+            builder.warn(TextLines(text.substr(0, wrong)).lineAt(wrong),
+                         "expected text in UTF-8, found other bytes, which stay as they are");
         const auto first = text.find_first_not_of(" \t\r\n");
         if (first != text.npos && text[first] == '<')
             readXml(text, builder);

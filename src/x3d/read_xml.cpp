@@ -54,6 +54,10 @@ public:
         if (std::string_view(top.name()) != "X3D")
             return builder_.giveUp(lineOf(top), "expected the element X3D, found " + quotedWord(top.name()));
         readTop(top);
+        for (pugi::xml_node other = top.next_sibling(); other; other = other.next_sibling())
+            if (other.type() == pugi::node_element)
+                builder_.warn(lineOf(other), "expected one element X3D, found another, " +
+                                                 quotedWord(other.name()) + ": skipped");
         for (const pugi::xml_node part : top.children()) {
             const std::string_view name = part.name();
             if (name == "head")
@@ -91,6 +95,13 @@ private:
     int lineOf(const pugi::xml_node& node) const
     {
         return lines_.lineAt(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug())));
+    }
+
+    /// Of the first word of text between elements.
+    int lineOfText(const pugi::xml_node& part) const
+    {
+        const auto from = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, part.offset_debug()));
+        return lines_.lineAt(std::min(text_.find_first_not_of(" \t\r\n", from), text_.size()));
     }
 
     /// A place in the text between the quotes of an attribute.
@@ -134,7 +145,7 @@ private:
             if (builder_.gaveUp()) return;
             if (part.type() != pugi::node_element) {
                 if (part.type() == pugi::node_pcdata || part.type() == pugi::node_cdata)
-                    builder_.warn(lineOf(parent), "text in " + quotedWord(parent.name()) + " skipped");
+                    builder_.warn(lineOfText(part), "text in " + quotedWord(parent.name()) + " skipped");
                 continue;
             }
             if (std::string_view(part.name()) == "ROUTE")
@@ -157,6 +168,7 @@ private:
         if (!type) return skipNames(element);
         const std::string_view container = element.attribute("containerField").value();
         if (const auto use = element.attribute("USE")) {
+            tellOfUse(element, line);
             if (Node* const node = builder_.use(use.value(), line)) attachUsed(*node, *type, container, line);
             return;
         }
@@ -170,6 +182,18 @@ private:
         readContent(element);
         builder_.end();
         if (!builder_.gaveUp()) builder_.attach(*node, container, line);
+    }
+
+    /// What stands in an element that names another node.
+    void tellOfUse(const pugi::xml_node& element, int line)
+    {
+        const std::string what = "USE of " + quotedWord(element.attribute("USE").value()) + ": ";
+        for (const pugi::xml_attribute attribute : element.attributes())
+            if (std::string_view(attribute.name()) == "DEF" || !isPlainAttribute(attribute.name()))
+                builder_.warn(line,
+                              what + quotedWord(attribute.name()) + " is not read, the node is as it was");
+        if (element.first_child())
+            builder_.warn(line, what + "what stands in it is not read, the node is as it was");
     }
 
     void attachUsed(Node& node, const NodeType& type, std::string_view container, int line)
@@ -190,9 +214,9 @@ private:
         std::string remark;
         const bool isRead = parseAttribute(*row, attribute.value(), value, error, remark);
         const int line = lineIn(raw, isRead ? 0 : error.at);
-        const std::string what = builder_.current().typeName() + "." + row->name + ": ";
-        if (!isRead) return builder_.wrong(line, what + error.text);
-        if (!remark.empty()) builder_.warn(line, what + remark);
+        if (!isRead) return builder_.refuse(*row, line, error.text);
+        if (!remark.empty())
+            builder_.warn(line, builder_.current().typeName() + "." + row->name + ": " + remark);
         builder_.set(*row, std::move(value), line);
     }
 

@@ -62,6 +62,12 @@ SceneFolders::Place Scene::locate(const Node& node, std::string_view url) const
     return folders.locate(url, scope < folderOfScope.size() ? folderOfScope[scope] : std::filesystem::path());
 }
 
+bool Scene::lacksRefused(const Node& node, std::string_view field) const
+{
+    const FieldRow* const row = refused.empty() ? nullptr : node.field(field);
+    return row && !node.isSet(row->slot) && refused.contains({&node, row->slot});
+}
+
 std::size_t Scene::errorCount() const
 {
     return static_cast<std::size_t>(std::ranges::count(messages, Severity::error, &SceneMessage::severity));
@@ -150,6 +156,9 @@ std::optional<std::string> wrongImage(const FieldRow& row, const std::vector<std
 
 std::optional<std::string> objection(const FieldRow& row, const FieldValue& value)
 {
+    const bool isOneNode = row.type == FieldType::sfNode && std::holds_alternative<std::vector<Node*>>(value);
+    if (isOneNode && !fits(row.type, value))
+        return "expected one node, found " + std::to_string(sizeOf(value)) + ": none is kept";
     if (!fits(row.type, value))
         return "expected " + std::string(shapeOf(row.type).name) + ", found " +
                std::to_string(sizeOf(value)) + " elements or another type";

@@ -147,6 +147,11 @@ public:
     /// The folder of each file, by the scope of its nodes.
     std::vector<std::filesystem::path> folderOfScope;
 
+    /// Values that a file has for fields and that were left out: what their nodes lack was told.
+    std::set<std::pair<const Node*, std::size_t>> refused;
+    /// Whether a field has its default since what the file has for it was left out.
+    bool lacksRefused(const Node& node, std::string_view field) const;
+
     /// Where the file of a url of a node lies.
     SceneFolders::Place locate(const Node& node, std::string_view url) const;
     std::size_t errorCount() const;

@@ -153,6 +153,12 @@ void SceneBuilder::set(const FieldRow& row, FieldValue value, int line)
     *again = {&row, line};
 }
 
+void SceneBuilder::refuse(const FieldRow& row, int line, const std::string& why)
+{
+    wrong(line, current().typeName() + "." + row.name + ": " + why);
+    scene_.refused.emplace(&current(), row.slot);
+}
+
 void SceneBuilder::attach(Node& child, std::string_view field, int line)
 {
     if (open_.empty()) return attachRoot(child, line);
@@ -253,7 +259,7 @@ void SceneBuilder::checkValue(OpenNode& open, const OpenNode::Written& written)
     const FieldRow& row = node.field(written.row->slot);
     const auto against = objection(row, node.value(row));
     if (!against) return;
-    wrong(written.line, node.typeName() + "." + row.name + ": " + *against);
+    refuse(row, written.line, *against);
     node.unset(row.slot);
 }
 

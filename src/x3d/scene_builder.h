@@ -44,6 +44,8 @@ public:
     /// The row of a field that a file may set; NULL after a message.
     const FieldRow* rowToSet(std::string_view name, int line);
     void set(const FieldRow& row, FieldValue value, int line);
+    /// Tells what is wrong with a value, which is left out.
+    void refuse(const FieldRow& row, int line, const std::string& why);
     /// Puts a node below the current one, or among the roots where none has begun. An empty field: that of
     /// the node's type, or the first that takes it.
     void attach(Node& child, std::string_view field, int line);

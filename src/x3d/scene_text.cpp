@@ -1,9 +1,11 @@
 #include "x3d/scene_text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <memory>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -60,7 +62,11 @@ bool readSceneFile(const std::filesystem::path& path, std::int64_t most, std::st
     int error = Z_OK;
     const char* const why = ::gzerror(stream.get(), &error);
     if (count == 0 && error == Z_OK) return true;
-    reason = std::string("cannot read: ") + (error == Z_ERRNO ? std::strerror(errno) : why);
+    // zlib begins with a name of its own for the file.
+    std::string_view what = error == Z_ERRNO ? std::strerror(errno) : why;
+    if (what.starts_with("<fd:")) what.remove_prefix(std::min(what.find(": ") + 2, what.size()));
+    reason = "cannot read: ";
+    reason += what;
     return false;
 }
 

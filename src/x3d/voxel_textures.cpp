@@ -5,6 +5,7 @@
 #include "x3d/slice_atlas.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <new>
 
@@ -47,6 +48,12 @@ TextureResult arranged(const Node& node, const std::string& path, std::shared_pt
 
 } // namespace
 
+bool lacksRefusedValue(const Scene& scene, const Node& node)
+{
+    const std::array fields{"image", "url", "numberOfSlices", "slicesOverX", "slicesOverY"};
+    return std::ranges::any_of(fields, [&](const char* field) { return scene.lacksRefused(node, field); });
+}
+
 std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse use)
 {
     return of(node, use, reading_);
@@ -74,7 +81,7 @@ std::shared_ptr<const VoxelTexture> VoxelTextures::of(const Node* node, TexelUse
     if (!made.note.empty()) messages_.warn(*node, node->typeName() + ": " + made.note);
     if (made.texture)
         applyProperties(*node, *made.texture);
-    else
+    else if (!lacksRefusedValue(scene_, *node))
         messages_.error(*node, node->typeName() + ": " + made.reason);
     kept.texture = std::move(made.texture);
     return kept.texture;

@@ -12,6 +12,9 @@
 
 namespace vo {
 
+/// Whether a texture has no texels for a value that its file has and that was left out, as was told.
+bool lacksRefusedValue(const Scene& scene, const Node& node);
+
 /// The textures of texture nodes, of two and of three dimensions. Each is made once, for all places that its
 /// node stands in, until a value of the node changes. In a texture of two dimensions T rises from the bottom
 /// row of the picture.

@@ -126,7 +126,7 @@ TEST(ReadScene, nodesStandWhereTheyMay)
               "s.x3d:2: error: Box cannot stand in VolumeData\n"
               "s.x3d:3: error: VolumeData.voxels: expected X3DTexture3DNode, found Box\n");
     EXPECT_EQ(ofXml("<VolumeData>\n<ImageTexture3D/><ImageTexture3D/></VolumeData>"),
-              "s.x3d:2: error: VolumeData.voxels: expected SFNode, found 2 elements or another type\n");
+              "s.x3d:2: error: VolumeData.voxels: expected one node, found 2: none is kept\n");
     // 2005 has mip levels there.
     Scene old;
     ASSERT_TRUE(readSceneText(old,
@@ -295,6 +295,84 @@ TEST(ReadScene, onlyX3dIsRead)
     EXPECT_NE(first(""), "");
 }
 
+TEST(ReadScene, wordsStandWhereTheyMustInClassicVrml)
+{
+    const auto first = [](const std::string& text) {
+        Scene scene;
+        EXPECT_FALSE(readSceneText(scene, "#X3D V4.0 utf8\n" + text, "s")) << text;
+        return scene.messages.empty() ? "" : messageLine(scene.messages.front());
+    };
+    EXPECT_EQ(first("PROFILE \"Full\""), "s:2: error: expected the name of a profile, found \"Full\"");
+    EXPECT_EQ(first("PROFILE"), "s:2: error: expected the name of a profile, found the end of the file");
+    EXPECT_EQ(first("PROFILE Full\nMETA a b"), "s:3: error: expected a name in quotes for META, found \"a\"");
+    EXPECT_EQ(first("PROFILE Full\nMETA \"a\" \"b"),
+              "s:3: error: expected a text in quotes for META, found a string without an end");
+    EXPECT_EQ(first("PROFILE Full\nCOMPONENT {"),
+              "s:3: error: expected a name, a colon and a level for COMPONENT, found \"{\"");
+    EXPECT_EQ(first("PROFILE Full\nDEF \"A\" Group { }"),
+              "s:3: error: expected a name behind DEF, found \"A\"");
+    EXPECT_EQ(first("PROFILE Full\nGroup { children USE }"),
+              "s:3: error: expected a name behind USE, found \"}\"");
+    EXPECT_EQ(first("PROFILE Full\nUSE"),
+              "s:3: error: expected a name behind USE, found the end of the file");
+    EXPECT_EQ(first("PROFILE Full\nROUTE A.b TO"),
+              "s:3: error: expected ROUTE node.field TO node.field, found the end of the file");
+    EXPECT_EQ(first("PROFILE Full\nTransform {\ntranslation 1 2 3 4 }"),
+              "s:4: error: expected the name of a field, or }, found \"4\"");
+    EXPECT_NE(
+        ofClassic("PROFILE Core\n").find("s.x3dv:3: warning: PROFILE is given twice; this one is kept\n"),
+        std::string::npos);
+}
+
+TEST(ReadScene, linesEndInEverySystemsWay)
+{
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        Scene classic, xml;
+        EXPECT_TRUE(readSceneText(classic,
+                                  "#X3D V4.0 utf8" + end + "PROFILE Full # Group" + end +
+                                      "WorldInfo { title \"a" + end + "b\" }" + end + "Foo { }" + end,
+                                  "s"));
+        EXPECT_EQ(messagesOf(classic), "s:5: warning: unknown node \"Foo\" skipped\n");
+        EXPECT_EQ(classic.roots.size(), 1u);
+        EXPECT_TRUE(readSceneText(
+            xml, "<X3D profile='Full' version='4.0'>" + end + "<Scene>" + end + "<Foo/></Scene></X3D>", "s"));
+        EXPECT_EQ(messagesOf(xml), "s:3: warning: unknown node \"Foo\" skipped\n");
+    }
+}
+
+TEST(ReadScene, otherTextThanUtf8IsToldOf)
+{
+    const auto told = [](const std::string& bytes) {
+        Scene scene;
+        readSceneText(scene, kClassicStart + std::string("WorldInfo {\ntitle \"") + bytes + "\" }", "s");
+        return messagesOf(scene);
+    };
+    // Characters of two, three and four bytes, and the last there is.
+    EXPECT_EQ(told("\xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80 \xf4\x8f\xbf\xbf \xee\x80\x80"), "");
+    // Alone, cut off, longer than needed, half of a pair, beyond the last, and what begins nothing.
+    for (const char* const wrong :
+         {"\xe9", "\xc3", "\xa9", "\xc0\xaf", "\xe0\x80\xaf", "\xf0\x80\x80\xaf", "\xed\xa0\x80",
+          "\xf4\x90\x80\x80", "\xf5\x80\x80\x80", "\xff", "\xe2\x82"})
+        EXPECT_EQ(told(wrong),
+                  "s:4: warning: expected text in UTF-8, found other bytes, which stay as they are\n");
+    Scene wide;
+    EXPECT_FALSE(readSceneText(wide, std::string("\xff\xfe#\0X\0", 6), "s"));
+    EXPECT_EQ(messagesOf(wide), "s:1: error: expected text in UTF-8, found UTF-16 or UTF-32\n");
+}
+
+TEST(ReadScene, whatStandsInAUseIsToldOf)
+{
+    EXPECT_EQ(ofXml("<Transform DEF='A'/>\n<Transform USE='A' DEF='B' translation='1 2 3' class='c' "
+                    "containerField='children'/>\n<Transform USE='A'><Group/></Transform>"),
+              "s.x3d:2: warning: USE of \"A\": \"DEF\" is not read, the node is as it was\n"
+              "s.x3d:2: warning: USE of \"A\": \"translation\" is not read, the node is as it was\n"
+              "s.x3d:3: warning: USE of \"A\": what stands in it is not read, the node is as it was\n");
+    EXPECT_EQ(ofXml("\n<Group>\n\nword</Group>"), "s.x3d:4: warning: text in \"Group\" skipped\n");
+    Scene two;
+    EXPECT_TRUE(readSceneText(two, kXmlStart + std::string("</Scene></X3D>\n<X3D/>"), "s"));
+    EXPECT_EQ(messagesOf(two), "s:2: warning: expected one element X3D, found another, \"X3D\": skipped\n");
+}
+
 /// A folder with a scene in it, and one beside it.
 class SceneFiles : public testing::Test
 {
@@ -408,6 +486,11 @@ TEST_F(SceneFiles, gzipIsRead)
     EXPECT_TRUE(readScene(scene, folder / "scene/top.x3d.gz"));
     EXPECT_EQ(messagesOf(scene), "");
     EXPECT_EQ(scene.names.count("G"), 1u);
+    std::filesystem::resize_file(folder / "scene/top.x3d.gz",
+                                 std::filesystem::file_size(folder / "scene/top.x3d.gz") - 12);
+    Scene cut;
+    EXPECT_FALSE(readScene(cut, folder / "scene/top.x3d.gz"));
+    EXPECT_EQ(cut.messages.back().text, "cannot read: unexpected end of file");
     SceneLimits small;
     small.bytes = 20;
     Scene tooLarge;

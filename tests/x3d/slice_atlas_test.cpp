@@ -214,6 +214,26 @@ TEST(SliceAtlas, countsAndSizesThatDoNotFitAreToldOf)
                   "pixels");
 }
 
+TEST(SliceAtlas, aCountThatIsRefusedIsToldOfOnce)
+{
+    const ScratchFolder folder;
+    writeAtlas(folder / "a.png", 3);
+    const ViewedScene s("<VolumeData>\n" + atlas("numberOfSlices='-1' slicesOverX='2' slicesOverY='3'") +
+                            "</VolumeData>",
+                        "4.0", folder / "");
+    EXPECT_EQ(s.messages(),
+              "s.x3d:3: error: ImageTextureAtlas.numberOfSlices: expected numbers in [0,inf), found -1\n");
+    Scene checked;
+    ASSERT_TRUE(readScene(checked, folder / "s.x3d"));
+    checkView(checked);
+    checkTextures(checked);
+    EXPECT_EQ(checked.messages.size(), 1u);
+    const ViewedScene image(
+        "<VolumeData>\n<PixelTexture3D containerField='voxels' image='5 1 1 1 0'/></VolumeData>");
+    EXPECT_EQ(image.messages(),
+              "s.x3d:3: error: PixelTexture3D.image: expected 0 to 4 components, found 5\n");
+}
+
 TEST(SliceAtlas, filesOfManySlicesAreNoPictures)
 {
     const ScratchFolder folder;

@@ -1,0 +1,89 @@
+#include "x3d/seen_values.h"
+
+#include "x3d/number_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace vo {
+namespace {
+
+constexpr VoxelRange kNone{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+
+std::string rangeText(const VoxelRange& range)
+{
+    return range.low < range.high ? numberText(range.low) + " to " + numberText(range.high)
+                                  : numberText(range.low) + " alone";
+}
+
+bool isCrossed(const IsoSurfaces& surfaces, const VoxelRange& range)
+{
+    return std::ranges::any_of(surfaces.values,
+                               [&](float value) { return range.low < value && value <= range.high; });
+}
+
+bool isClear(const StyleChain& chain, const VoxelRange& range)
+{
+    if (!std::ranges::all_of(chain, [](const auto& style) { return style->keepsClear(); })) return false;
+    const bool beginsWithVoxel = chain.empty() || !chain.front()->replacesColor();
+    return beginsWithVoxel ? range.high <= 0.0f : chain.front()->isClear(range.low, range.high);
+}
+
+std::string whyNoSurface(const IsoSurfaces& surfaces, const VoxelTexture& voxels, VoxelRanges& ranges)
+{
+    if (ranges.reach(voxels, [&](const VoxelRange& range) { return isCrossed(surfaces, range); })) return "";
+    constexpr std::size_t kMost = 8;
+    std::string values;
+    for (std::size_t i = 0; i < std::min(surfaces.values.size(), kMost); ++i) {
+        if (i > 0) values += ' ';
+        values += numberText(surfaces.values[i]);
+    }
+    if (surfaces.values.size() > kMost) values += " ...";
+    return "expected voxels below and above a surface's value (" + values + "), found " +
+           rangeText(ranges.of(voxels));
+}
+
+} // namespace
+
+VoxelRange VoxelRanges::of(const VoxelTexture& voxels)
+{
+    const auto [found, isNew] = ranges_.emplace(voxels.serial, kNone);
+    VoxelRange& range = found->second;
+    const auto components = static_cast<std::size_t>(voxels.components);
+    for (std::size_t texel = 0; isNew && texel < voxels.size.count(); ++texel) {
+        const float value = numberAt(voxels, texel * components);
+        range.low = std::min(range.low, value);
+        range.high = std::max(range.high, value);
+    }
+    return range;
+}
+
+bool VoxelRanges::reach(const VoxelTexture& voxels, const std::function<bool(const VoxelRange&)>& isEnough)
+{
+    // A prime: more than one column, whatever the width is, but for its multiples.
+    constexpr std::size_t kStep = 61;
+    const auto components = static_cast<std::size_t>(voxels.components);
+    VoxelRange range = kNone;
+    for (std::size_t texel = 0; !ranges_.contains(voxels.serial) && texel < voxels.size.count();
+         texel += kStep) {
+        const float value = numberAt(voxels, texel * components);
+        if (value >= range.low && value <= range.high) continue;
+        range = {std::min(range.low, value), std::max(range.high, value)};
+        if (isEnough(range)) return true;
+    }
+    return isEnough(of(voxels));
+}
+
+std::string whyNothingIsSeen(const StyledVolume& volume, VoxelRanges& ranges)
+{
+    const VoxelTexture& voxels = *volume.voxels;
+    if (volume.surfaces) return whyNoSurface(*volume.surfaces, voxels, ranges);
+    const bool isKnown = !volume.segments && !volume.projection && !volume.stipple &&
+                         voxels.components == 1 && volume.chains.size() == 1;
+    const auto isSeen = [&](const VoxelRange& range) { return !isClear(volume.chains.front(), range); };
+    if (!isKnown || ranges.reach(voxels, isSeen)) return "";
+    return "expected values that its style shows, found voxels of " + rangeText(ranges.of(voxels)) +
+           ", which it makes clear";
+}
+
+} // namespace vo

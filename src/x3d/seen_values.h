@@ -1,0 +1,36 @@
+#pragma once
+
+#include "style/styled_scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace vo {
+
+/// The least and the greatest value of voxels.
+struct VoxelRange
+{
+    float low, high;
+};
+
+/// The ranges of the first component of textures, each found once.
+class VoxelRanges
+{
+public:
+    VoxelRange of(const VoxelTexture& voxels);
+    /// Whether a range that holds no other values than these voxels' is enough: few voxels are looked at
+    /// where it soon is. A range that is enough stays so as it grows.
+    bool reach(const VoxelTexture& voxels, const std::function<bool(const VoxelRange&)>& isEnough);
+
+private:
+    std::map<std::uint64_t, VoxelRange> ranges_; // by the texture's serial
+};
+
+/// What tells why no eye sees anything of a volume: values that no surface meets, or that all samples are
+/// clear. "" where something may be seen, and of volumes with segments, projections, stipples, or several
+/// components of voxels.
+std::string whyNothingIsSeen(const StyledVolume& volume, VoxelRanges& ranges);
+
+} // namespace vo
