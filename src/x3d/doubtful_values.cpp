@@ -2,6 +2,7 @@
 
 #include "x3d/node_values.h"
 #include "x3d/number_text.h"
+#include "x3d/value_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -55,6 +56,24 @@ void lookAtVoxelRange(const Node& node, const FieldRow& row, Doubts& doubts)
                           numberText(number)});
         return;
     }
+}
+
+/// Of fewer than four components, whose pixels have fewer than 32 bits.
+void lookAtPixels(const Node& node, const FieldRow& row, Doubts& doubts)
+{
+    const auto& image = integersOf(node, row.name);
+    const std::size_t sizes = row.type == FieldType::sfImage ? 3 : 4;
+    if (image.size() <= sizes) return;
+    const std::int32_t components = row.type == FieldType::sfImage ? image[2] : image[0];
+    if (components < 1 || components > 3) return;
+    const std::uint32_t most = (1u << (8 * components)) - 1;
+    const auto isOver = [&](std::int32_t pixel) { return static_cast<std::uint32_t>(pixel) > most; };
+    const auto over = std::find_if(image.begin() + static_cast<std::ptrdiff_t>(sizes), image.end(), isOver);
+    if (over == image.end()) return;
+    doubts.push_back({fieldName(node, row.name) + ": expected pixels from 0 to " + numberText(most) +
+                          " for " + std::to_string(components) +
+                          (components == 1 ? " component" : " components"),
+                      numberText(*over) + ": higher bits are left out"});
 }
 
 void lookAtDirection(const Node& node, Doubts& doubts)
@@ -184,8 +203,9 @@ bool isRotation(const FieldRow& row)
 bool isDoubtable(const NodeType& type)
 {
     return std::ranges::any_of(looks(), [&](const Look& each) { return type.isA(*each.type); }) ||
-           std::ranges::any_of(type.rows(),
-                               [](const FieldRow& row) { return row.voxelRange || isRotation(row); });
+           std::ranges::any_of(type.rows(), [](const FieldRow& row) {
+               return row.voxelRange || isRotation(row) || holdsPixels(row.name);
+           });
 }
 
 } // namespace
@@ -197,6 +217,7 @@ std::vector<Doubt> doubtsOf(const Node& node)
         if (!has(row.editions, node.edition())) continue;
         if (isRotation(row)) lookAtRotations(node, row, doubts);
         if (row.voxelRange) lookAtVoxelRange(node, row, doubts);
+        if (holdsPixels(row.name)) lookAtPixels(node, row, doubts);
     }
     for (const Look& each : looks())
         if (node.type().isA(*each.type)) each.look(node, doubts);

@@ -27,14 +27,19 @@ class WalkBudget
 public:
     bool enter(std::size_t depth)
     {
-        isSpent_ = isSpent_ || depth > kMostDepth || visits_ >= kMostVisits;
+        if (exceeded_.empty() && depth > kMostDepth)
+            exceeded_ = "nodes at most " + std::to_string(kMostDepth) + " deep";
+        if (exceeded_.empty() && visits_ >= kMostVisits)
+            exceeded_ = "nodes in at most " + std::to_string(kMostVisits) + " places";
         ++visits_;
-        return !isSpent_;
+        return exceeded_.empty();
     }
+    /// The limit that ended the walk: what was expected; "" where none has.
+    const std::string& exceeded() const { return exceeded_; }
 
 private:
     std::size_t visits_ = 0;
-    bool isSpent_ = false;
+    std::string exceeded_;
 };
 
 glm::dmat4 matrixOf(const Node& node)
@@ -127,7 +132,10 @@ private:
     void visit(const Node& node, const glm::dmat4& worldFromParent)
     {
         if (!boolOf(node, "visible", true)) return;
-        if (!budget_.enter(path_.size()) || found_.nodes.size() >= kMostShown) return tellOfLimits(node);
+        if (!budget_.enter(path_.size())) return tellOfLimit(node, budget_.exceeded());
+        if (found_.nodes.size() >= kMostShown)
+            return tellOfLimit(node,
+                               "at most " + std::to_string(kMostShown) + " shapes and volumes in all places");
         path_.push_back(&node);
         if (isOf(&node, "X3DVolumeDataNode") || isOf(&node, "X3DShapeNode"))
             show(node, worldFromParent);
@@ -138,19 +146,18 @@ private:
         path_.pop_back();
     }
 
-    void tellOfLimits(const Node& node)
+    /// The first node beyond the first limit stands for all.
+    void tellOfLimit(const Node& node, const std::string& expected)
     {
         if (isCutOff_) return;
         isCutOff_ = true;
-        messages_.error(node, "expected scenes at most " + std::to_string(kMostDepth) + " deep, with " +
-                                  std::to_string(kMostVolumes) + " volumes and " +
-                                  std::to_string(kMostShown) + " shapes in " + std::to_string(kMostVisits) +
-                                  " places, found more: cut off");
+        messages_.error(node, "expected " + expected + ", found more: from here on they are left out");
     }
 
     void show(const Node& node, const glm::dmat4& worldFromLocal)
     {
-        if (isOf(&node, "X3DVolumeDataNode") && ++volumes_ > kMostVolumes) return tellOfLimits(node);
+        if (isOf(&node, "X3DVolumeDataNode") && ++volumes_ > kMostVolumes)
+            return tellOfLimit(node, "at most " + std::to_string(kMostVolumes) + " volumes in all places");
         if (isInvertible(worldFromLocal))
             found_.nodes.push_back({&node, worldFromLocal, path_, lights_, planes_});
         else

@@ -4,6 +4,7 @@
 #include "x3d/node_lights.h"
 #include "x3d/node_values.h"
 #include "x3d/plane_spacing.h"
+#include "x3d/printable_word.h"
 
 #include <glm/matrix.hpp>
 
@@ -51,6 +52,7 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown, const Styled
         return {};
     }
     if (!fill(node, volume)) return {};
+    if (reading_ == VoxelReading::whole) tellIfEmpty(node, volume);
     volume.clipPlanes = shown.clipPlanes;
     volume.unitLength = shortestEdge(volume);
     const PlaneSpacing planes = planeSpacing(scene, volume, sampling.value_or(usualSampling(volume)));
@@ -59,6 +61,15 @@ std::optional<StyledVolume> VolumeNodes::of(const ShownNode& shown, const Styled
     light(shown, volume);
     if (reading_ == VoxelReading::whole) shadows_.add(volume, 0);
     return volume;
+}
+
+/// Values that voxels do not have were told of as they stand in the node.
+void VolumeNodes::tellIfEmpty(const Node& node, const StyledVolume& volume)
+{
+    const auto isPossible = [](float value) { return value >= 0.0f && value <= 1.0f; };
+    if (volume.surfaces && !std::ranges::all_of(volume.surfaces->values, isPossible)) return;
+    if (const std::string why = whyNothingIsSeen(volume, ranges_); !why.empty())
+        messages_.warn(node, node.typeName() + ": " + why + ": nothing of it is seen");
 }
 
 void VolumeNodes::light(const ShownNode& shown, StyledVolume& volume)
@@ -159,8 +170,12 @@ bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segmen
     auto numbers = textures_.of(identifiers, TexelUse::identifiers);
     if (!numbers) return true;
     if (!(numbers->size == volume.voxels->size)) {
-        messages_.warn(*identifiers,
-                       "expected segmentIdentifiers of the voxels' size, found another: ignored");
+        const std::string_view url = stringOf(*identifiers, "url");
+        std::string named = identifiers->typeName();
+        if (!url.empty()) named.append(" ").append(quotedWord(url));
+        messages_.warn(*identifiers, named + ": expected segmentIdentifiers of the voxels' size, " +
+                                         sizeText(volume.voxels->size) + ", found " +
+                                         sizeText(numbers->size) + ": ignored");
         return true;
     }
     segments.scale = numbers->kind == TexelKind::uint16 ? 65535.0f : 255.0f;
@@ -203,7 +218,7 @@ std::vector<VolumeNodes::SurfaceValue> VolumeNodes::surfaceValues(const Node& no
         surfaces.push_back({value, surfaces.size()});
     const double step = std::abs(static_cast<double>(floatOf(node, "contourStepSize")));
     if (surfaces.size() == 1 && step > 0.0 && reading_ == VoxelReading::whole)
-        addContours(node, step, rangeOf(voxels), surfaces);
+        addContours(node, step, ranges_.of(voxels), surfaces);
     if (surfaces.size() > kMostSurfaces) {
         messages_.warn(node, "expected at most " + std::to_string(kMostSurfaces) + " surfaceValues, found " +
                                  std::to_string(surfaces.size()) + ": the first are drawn");
@@ -215,7 +230,7 @@ std::vector<VolumeNodes::SurfaceValue> VolumeNodes::surfaceValues(const Node& no
     return surfaces;
 }
 
-void VolumeNodes::addContours(const Node& node, double step, const ValueRange& range,
+void VolumeNodes::addContours(const Node& node, double step, const VoxelRange& range,
                               std::vector<SurfaceValue>& surfaces)
 {
     const double first = surfaces[0].value;
@@ -226,20 +241,6 @@ void VolumeNodes::addContours(const Node& node, double step, const ValueRange& r
                                         " surfaces by contourStepSize, found more: the step is left out");
     for (double k = below; k <= above; ++k)
         if (k != 0.0) surfaces.push_back({static_cast<float>(first + k * step), surfaces.size()});
-}
-
-VolumeNodes::ValueRange VolumeNodes::rangeOf(const VoxelTexture& voxels)
-{
-    const auto [found, isNew] = ranges_.emplace(voxels.serial, ValueRange{0.0f, 1.0f});
-    if (!isNew) return found->second;
-    const auto components = static_cast<std::size_t>(voxels.components);
-    float low = std::numeric_limits<float>::infinity(), high = -low;
-    for (std::size_t texel = 0; texel < voxels.size.count(); ++texel) {
-        const float value = numberAt(voxels, texel * components);
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    return found->second = {low, high};
 }
 
 } // namespace vo

@@ -4,6 +4,7 @@
 #include "style/styled_scene.h"
 #include "x3d/node_cameras.h"
 #include "x3d/scene_walk.h"
+#include "x3d/seen_values.h"
 #include "x3d/volume_styles.h"
 
 #include <map>
@@ -31,10 +32,6 @@ public:
                                    const std::optional<double>& sampling);
 
 private:
-    struct ValueRange
-    {
-        float low, high;
-    };
     struct SurfaceValue
     {
         float value;
@@ -50,17 +47,17 @@ private:
     bool takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments);
     int addSegmentChain(const Node* style, const Node& node, StyledVolume& volume);
     std::vector<SurfaceValue> surfaceValues(const Node& node, const VoxelTexture& voxels);
-    void addContours(const Node& node, double step, const ValueRange& range,
+    void addContours(const Node& node, double step, const VoxelRange& range,
                      std::vector<SurfaceValue>& surfaces);
     void light(const ShownNode& shown, StyledVolume& volume);
-    ValueRange rangeOf(const VoxelTexture& voxels);
+    void tellIfEmpty(const Node& node, const StyledVolume& volume);
 
     ViewMessages& messages_;
     VoxelReading reading_;
     VoxelTextures textures_;
     VolumeStyles styles_;
     ShadowStore shadows_;
-    std::map<std::uint64_t, ValueRange> ranges_; // by the texture's serial
+    VoxelRanges ranges_;
 };
 
 } // namespace vo

@@ -1,6 +1,7 @@
 #include "x3d/voxel_files.h"
 
 #include "volume_io/volume_io.h"
+#include "x3d/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,10 +125,15 @@ std::size_t toIdentifiers(std::vector<std::byte>& texels, ChannelType type)
     return fractions;
 }
 
-/// What the result says of numbers that are none, or infinite; no texture where there are no others.
+/// What the result says of numbers that are none, infinite, or all the same; no texture where no other is.
 void tellOfNumbers(const NumberRange& range, const std::string& path, TextureResult& result)
 {
-    if (range.none + range.infinite == 0) return;
+    if (range.none + range.infinite == 0) {
+        if (range.finite > 0 && range.low == range.high)
+            result.note = path + ": expected numbers that differ, found " + numberText(range.low) +
+                          " alone: taken as 0";
+        return;
+    }
     const std::string found = std::to_string(range.none) + " that are none (NaN) and " +
                               std::to_string(range.infinite) + " infinite ones";
     if (range.finite == 0)

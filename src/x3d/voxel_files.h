@@ -27,7 +27,8 @@ std::uint64_t mostTextureBytes();
 
 /// The voxels of a file of any format that volume_io opens, the first at (0, 0, 0). uint8 and uint16 stay as
 /// they are; int8, int16 and float32 are scaled so that the smallest number of the file becomes 0 and the
-/// largest 1; of floats what is no number counts as the smallest, and infinity as the largest, with a note.
+/// largest 1, or all 0 where they do not differ, with a note; of floats what is no number counts as the
+/// smallest, and infinity as the largest, with a note.
 /// Identifiers become uint16, whatever they were. An alpha that the file does not have is left out. Without
 /// its voxels, a texture has no texels.
 TextureResult readVoxelFile(const std::string& path, TexelUse use,

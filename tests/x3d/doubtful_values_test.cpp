@@ -68,6 +68,24 @@ TEST_P(DoubtfulValue, isToldOfByAPictureAndByACheck)
 }
 
 INSTANTIATE_TEST_SUITE_P(
+    Pixels, DoubtfulValue,
+    testing::Values(
+        Case{
+            "<VolumeData><PixelTexture3D containerField='voxels' image='1 2 1 1 255 256'/></VolumeData>",
+            "PixelTexture3D.image: expected pixels from 0 to 255 for 1 component, found 256: higher bits are "
+            "left out"},
+        Case{"<VolumeData><PixelTexture3D containerField='voxels' image='1 2 1 1 255 -1'/></VolumeData>",
+             "PixelTexture3D.image: expected pixels from 0 to 255 for 1 component, found -1: higher bits are "
+             "left out"},
+        Case{"<VolumeData><PixelTexture3D containerField='voxels' image='3 1 1 1 0x1FFFFFF'/></VolumeData>",
+             "PixelTexture3D.image: expected pixels from 0 to 16777215 for 3 components, found 33554431: "
+             "higher "
+             "bits are left out"},
+        Case{"<VolumeData><PixelTexture3D containerField='voxels' image='4 1 1 1 -1'/></VolumeData>", ""},
+        Case{"<VolumeData><PixelTexture3D containerField='voxels' image='2 1 1 1 0xFFFF'/></VolumeData>",
+             ""}));
+
+INSTANTIATE_TEST_SUITE_P(
     Voxels, DoubtfulValue,
     testing::Values(
         Case{isoVolume("surfaceValues='1.5'"),
@@ -195,8 +213,15 @@ TEST(DoubtfulValues, limitsOfDrawingAreCheckedToo)
         places += "<Group USE='G'/>";
     EXPECT_EQ(
         checked({places, "", "4.0"}),
-        "s.x3d:2: error: expected scenes at most 500 deep, with 512 volumes and 100000 shapes in 1000000 "
-        "places, found more: cut off\n");
+        "s.x3d:2: error: expected at most 512 volumes in all places, found more: from here on they are left "
+        "out\n");
+    std::string groups = "<Group DEF='D1'/>";
+    for (int i = 2; i <= 21; ++i) {
+        const std::string before = "<Group USE='D" + std::to_string(i - 1) + "'/>";
+        groups += "<Group DEF='D" + std::to_string(i) + "'>" + before + before + "</Group>";
+    }
+    EXPECT_EQ(checked({groups, "", "4.0"}), "s.x3d:2: error: expected nodes in at most 1000000 places, found "
+                                            "more: from here on they are left out\n");
 }
 
 TEST(DoubtfulValues, whatOtherChoicesShowIsCheckedToo)

@@ -159,7 +159,7 @@ TEST(VolumeNodes, texturesRepeatAndFilterAsTheirPropertiesSay)
     EXPECT_TRUE(own->nearest);
     const ViewedScene mirrored(
         "<VolumeData>" +
-        pixels("1 1 1 1 0", "voxels", "<TextureProperties boundaryModeT='MIRRORED_REPEAT'/>") +
+        pixels("1 1 1 1 9", "voxels", "<TextureProperties boundaryModeT='MIRRORED_REPEAT'/>") +
         "</VolumeData>");
     EXPECT_EQ(mirrored.messages(),
               "s.x3d:2: warning: boundaryModeT MIRRORED_REPEAT is not drawn: the value at the edge stays\n");
@@ -362,12 +362,77 @@ TEST(VolumeNodes, segmentsOfIsoAreTheRedOfTheirIdentifiers)
 
 TEST(VolumeNodes, identifiersOfAnotherSizeAreIgnored)
 {
-    const ViewedScene s("<SegmentedVolumeData>" + pixels("1 2 1 1 0 0") + "\n" +
+    const ViewedScene s("<SegmentedVolumeData>" + pixels("1 2 1 1 9 9") + "\n" +
                         pixels("1 1 1 1 0", "segmentIdentifiers") + "</SegmentedVolumeData>");
     EXPECT_FALSE(s.drawn.volumes.at(0).segments);
     EXPECT_EQ(s.drawn.volumes[0].chains.size(), 1u);
     EXPECT_EQ(s.messages(),
-              "s.x3d:3: warning: expected segmentIdentifiers of the voxels' size, found another: ignored\n");
+              "s.x3d:3: warning: PixelTexture3D: expected segmentIdentifiers of the voxels' size, 2 x 1 x 1, "
+              "found 1 x 1 x 1: ignored\n");
+}
+
+TEST(VolumeNodes, identifiersOfAnotherSizeAreNamedByTheirFile)
+{
+    const ScratchFolder folder;
+    ASSERT_TRUE(
+        writeTiffStack(folder / "a.tif", {{1, 3, 1}, 1, ChannelType::uint8}, std::vector<std::byte>(3)));
+    const ViewedScene s("<SegmentedVolumeData>" + pixels("1 2 1 1 9 9") +
+                            "\n<ImageTexture3D containerField='segmentIdentifiers' url='\"a.tif\"'/>"
+                            "</SegmentedVolumeData>",
+                        "4.0", folder / "");
+    EXPECT_EQ(s.messages(), "s.x3d:3: warning: ImageTexture3D \"a.tif\": expected segmentIdentifiers of the "
+                            "voxels' size, 2 x 1 x 1, found 1 x 3 x 1: ignored\n");
+}
+
+/// What is told of a volume of which nothing is seen, behind its line.
+void expectEmpty(const std::string& nodes, const std::string& told)
+{
+    const ViewedScene s(nodes);
+    EXPECT_EQ(s.messages(), told.empty() ? "" : "s.x3d:2: warning: " + told + ": nothing of it is seen\n")
+        << nodes;
+}
+
+TEST(VolumeNodes, valuesThatNoSurfaceMeetsAreToldOf)
+{
+    const auto surfaces = [](const std::string& values, const std::string& image) {
+        return "<IsoSurfaceVolumeData surfaceValues='" + values + "'>" + pixels(image) +
+               "</IsoSurfaceVolumeData>";
+    };
+    // 51 and 102 of 255 are 0.2 and 0.4. What meets a value has voxels below it, and up to it.
+    const std::string begin = "IsoSurfaceVolumeData: expected voxels below and above a surface's value (";
+    expectEmpty(surfaces("0.5", "1 2 1 1 51 102"), begin + "0.5), found 0.2 to 0.4");
+    expectEmpty(surfaces("0.5 0.1", "1 2 1 1 51 102"), begin + "0.1 0.5), found 0.2 to 0.4");
+    expectEmpty(surfaces("0.2", "1 2 1 1 51 102"), begin + "0.2), found 0.2 to 0.4");
+    expectEmpty(surfaces("0.2", "1 1 1 1 51"), begin + "0.2), found 0.2 alone");
+    expectEmpty(surfaces("0.4", "1 2 1 1 51 102"), "");
+    expectEmpty(surfaces("0.9 0.3", "1 2 1 1 51 102"), "");
+    // Only the last of many voxels is above.
+    std::string many = "1 1000 1 1";
+    for (int i = 0; i < 999; ++i)
+        many += " 51";
+    expectEmpty(surfaces("0.3", many + " 102"), "");
+    expectEmpty(surfaces("0.3", many + " 51"), begin + "0.3), found 0.2 alone");
+}
+
+TEST(VolumeNodes, stylesThatMakeAllClearAreToldOf)
+{
+    const auto mapped = [](const std::string& image, const std::string& function) {
+        return "<VolumeData>" + pixels(image) +
+               (function.empty()
+                    ? ""
+                    : "<OpacityMapVolumeStyle><PixelTexture containerField='transferFunction' image='" +
+                          function + "'/></OpacityMapVolumeStyle>") +
+               "</VolumeData>";
+    };
+    const std::string begin = "VolumeData: expected values that its style shows, found voxels of ";
+    // Of eight texels the last four are opaque, which begins to show in the middle of the fourth, at 7/16.
+    const std::string late = "8 1 4 0 0 0 0 0xFF 0xFF 0xFF 0xFF";
+    expectEmpty(mapped("1 2 1 1 0 51", late), begin + "0 to 0.2, which it makes clear");
+    expectEmpty(mapped("1 2 1 1 51 51", late), begin + "0.2 alone, which it makes clear");
+    expectEmpty(mapped("1 2 1 1 0 128", late), "");
+    expectEmpty(mapped("1 2 1 1 0 0", ""), begin + "0 alone, which it makes clear");
+    expectEmpty(mapped("1 2 1 1 0 1", ""), "");
+    expectEmpty(mapped("2 2 1 1 0 0", ""), "");
 }
 
 TEST(VolumeNodes, segmentsOf2005AreTheLastComponent)
