@@ -17,6 +17,11 @@ namespace {
 
 volatile std::sig_atomic_t interruptedFlag = 0;
 
+void notice(int)
+{
+    interruptedFlag = 1;
+}
+
 bool isOneOf(const char* argument, std::initializer_list<const char*> words)
 {
     return std::ranges::any_of(words, [&](const char* word) { return std::strcmp(argument, word) == 0; });
@@ -59,8 +64,8 @@ try {
     if (std::any_of(argv + 1, argv + argc, isHelp)) return print(utility, utility.help);
     if (std::any_of(argv + 1, argv + argc, isVersion))
         return print(utility, "Volumizer " VOLUMIZER_VERSION "\n");
-    std::signal(SIGINT, [](int) { interruptedFlag = 1; });
-    std::signal(SIGTERM, [](int) { interruptedFlag = 1; });
+    std::signal(SIGINT, notice);
+    std::signal(SIGTERM, notice);
     // Past the largest size of a file that is allowed writing then fails, and cleans up, as on a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     const auto done = utility.run({argv + 1, argv + argc});
@@ -89,6 +94,17 @@ EndsWhenInterrupted::~EndsWhenInterrupted()
     std::signal(SIGTERM, onTerminate_);
 }
 
+NoticesInterrupts::NoticesInterrupts()
+    : onInterrupt_(std::signal(SIGINT, notice)), onTerminate_(std::signal(SIGTERM, notice))
+{
+}
+
+NoticesInterrupts::~NoticesInterrupts()
+{
+    std::signal(SIGINT, onInterrupt_);
+    std::signal(SIGTERM, onTerminate_);
+}
+
 void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all)
 {
     if (!::isatty(STDERR_FILENO)) return;
@@ -98,7 +114,14 @@ void showProgress(const char* program, const char* what, std::int64_t done, std:
 
 void warn(const char* program, const std::string& text)
 {
-    std::fprintf(stderr, "%s: %s\n", program, text.c_str());
+    std::fprintf(stderr, "%s: %s\n", program, withoutControls(text).c_str());
+}
+
+std::string withoutControls(std::string text)
+{
+    for (char& letter : text)
+        if ((letter >= 0 && letter < ' ') || letter == 0x7f) letter = '.';
+    return text;
 }
 
 Result<void> checkOutput(const std::string& output, const std::vector<std::string>& inputs)

@@ -39,10 +39,28 @@ private:
     void (*onTerminate_)(int);
 };
 
+/// While it lives, SIGINT and SIGTERM do no more than interrupted() tells, also where they would end the
+/// program at once: for work that has a file open for writing.
+class NoticesInterrupts
+{
+public:
+    NoticesInterrupts();
+    ~NoticesInterrupts();
+    NoticesInterrupts(const NoticesInterrupts&) = delete;
+    NoticesInterrupts& operator=(const NoticesInterrupts&) = delete;
+
+private:
+    void (*onInterrupt_)(int);
+    void (*onTerminate_)(int);
+};
+
 /// Prints how far the work is, on a terminal only.
 void showProgress(const char* program, const char* what, std::int64_t done, std::int64_t all);
 
-/// Prints a line on standard error, with the program's name in front.
+/// A dot for each character that moves a terminal's cursor, or more.
+std::string withoutControls(std::string text);
+
+/// Prints a line on standard error, with the program's name in front, and without controls.
 void warn(const char* program, const std::string& text);
 
 /// A failure when the output is one of the inputs, or a file that is no TIFF: a forgotten output's name would

@@ -34,18 +34,35 @@ std::string problemsOf(const voX3DScene& scene)
            (left > 0 ? " and " + std::to_string(left) + " more" : "");
 }
 
-void printMessages(const voX3DScene& scene, int from, FILE* stream)
+/// A scene, and what it was made of.
+struct OpenedScene
 {
-    for (int i = from; i < scene.getMessageCount(); ++i)
-        std::fprintf(stream, "%s\n", scene.getMessage(i));
+    voX3DScene scene;
+    std::string input;
+    /// Whether it is a volume's that vox3d said of why nothing is seen.
+    bool isToldEmpty = false;
+};
+
+/// Of a volume's scene, whose nodes are in no file, with its name.
+void printMessages(const OpenedScene& opened, FILE* stream)
+{
+    for (int i = 0; i < opened.scene.getMessageCount(); ++i) {
+        const std::string_view line = opened.scene.getMessage(i);
+        const bool isOfEmptiness = line.find("surfaceValues") != line.npos || line.ends_with("is seen");
+        if (opened.isToldEmpty && isOfEmptiness) continue;
+        const bool hasPlace = !line.starts_with("warning: ") && !line.starts_with("error: ");
+        const std::string whole = (hasPlace ? "" : opened.input + ": ") + std::string(line);
+        std::fprintf(stream, "%s\n", vo::withoutControls(whole).c_str());
+    }
 }
 
-vo::Result<void> check(voX3DScene& scene, const std::string& path)
+vo::Result<void> check(OpenedScene& opened)
 {
-    scene.check();
-    printMessages(scene, 0, stdout);
-    if (scene.getMessageCount() > 0) return vo::Failure{path + ": " + problemsOf(scene)};
-    std::printf("%s: nothing is unsupported or wrong\n", path.c_str());
+    opened.scene.check();
+    printMessages(opened, stdout);
+    if (opened.scene.getMessageCount() > 0)
+        return vo::Failure{opened.input + ": " + problemsOf(opened.scene)};
+    std::printf("%s: nothing is unsupported or wrong\n", opened.input.c_str());
     return {};
 }
 
@@ -63,36 +80,50 @@ vo::Result<void> checkOutput(const std::string& scene, const std::string& output
     return {};
 }
 
-vo::Result<void> save(voX3DScene& scene, const vo::Vox3dOptions& options)
+vo::Result<void> save(OpenedScene& opened, const vo::Vox3dOptions& options)
 {
-    if (!options.check && options.output.empty()) printMessages(scene, 0, stderr);
+    voX3DScene& scene = opened.scene;
+    if (!options.check && options.output.empty()) printMessages(opened, stderr);
     if (scene.getErrorCount() > 0)
         return vo::Failure{options.save + ": not written: " + problemsOf(scene) + " in " + options.input};
     if (auto may = checkOutput(options.input, options.save); !may) return may;
-    if (!vo::isScene(options.input)) vo::makeUrlsRelative(scene, options.save);
+    std::set<std::string> outside;
+    if (!vo::isScene(options.input)) outside = vo::makeUrlsRelative(scene, options.save);
+    const vo::NoticesInterrupts whileItIsOpen;
     auto file = vo::FileBeside::create(options.save);
     if (!file) return file.failure();
     const bool isClassic = options.save.ends_with(".x3dv");
     if (!scene.write(file->temporaryPath().c_str(), isClassic ? voX3DScope::CLASSIC_VRML : voX3DScope::XML))
         return vo::Failure{options.save + ": " + voError::getErrorString()};
-    return file->commit();
+    if (vo::interrupted()) return vo::Failure{options.save + ": not written: interrupted"};
+    auto done = file->commit();
+    for (const std::string& folder : outside)
+        if (done) vo::warn(kProgram, options.save + ": is read with -allow " + folder);
+    return done;
 }
 
 /// The scene that is named, or one of the volume that is.
-vo::Result<void> openScene(voX3DScene& scene, const vo::Vox3dOptions& options)
+vo::Result<void> openScene(OpenedScene& opened, const vo::Vox3dOptions& options)
 {
+    voX3DScene& scene = opened.scene;
+    opened.input = options.input;
     for (const std::string& folder : options.allowed) {
         std::error_code none;
         if (!std::filesystem::is_directory(folder, none))
             return vo::Failure{folder + ": expected a folder behind -allow, found none"};
         scene.allowFolder(folder.c_str());
     }
-    if (!vo::isScene(options.input)) return vo::makeVolumeScene(scene, options);
+    if (!vo::isScene(options.input)) {
+        const auto made = vo::makeVolumeScene(scene, options);
+        if (!made) return made.failure();
+        opened.isToldEmpty = *made == vo::VolumeScene::toldEmpty;
+        return {};
+    }
     if (!options.ofVolumes.empty())
         return vo::Failure{"option " + options.ofVolumes + ": expected a volume, found the scene " +
                            options.input};
     if (scene.read(options.input.c_str())) return {};
-    printMessages(scene, 0, options.check ? stdout : stderr);
+    printMessages(opened, options.check ? stdout : stderr);
     return vo::Failure{options.input + ": expected a scene, found none that can be read"};
 }
 
@@ -142,32 +173,37 @@ vo::Result<void> show(voX3DScene& scene, vo::Vox3dOptions options)
         options.output = "vox3d.png";
         vo::warn(kProgram, "no window (" + whyNot + "); drawing without one into " + options.output);
     }
-    return vo::writePictures(view, options);
+    auto written = vo::writePictures(view, options);
+    double center[3], radius = 0;
+    if (written && scene.getMessageCount() == 0 && !view.getBounds(center, radius))
+        vo::warn(kProgram, options.input + ": expected volumes or shapes to draw, found none");
+    return written;
 }
 
 /// What is wrong is left out of the picture; the program ends with 1 all the same.
-vo::Result<void> showWithMessages(voX3DScene& scene, const vo::Vox3dOptions& options)
+vo::Result<void> showWithMessages(OpenedScene& opened, const vo::Vox3dOptions& options)
 {
-    auto shown = show(scene, options);
-    printMessages(scene, 0, stderr);
-    if (!shown || scene.getErrorCount() == 0) return shown;
-    return vo::Failure{options.input + ": drawn without what is wrong: " + problemsOf(scene)};
+    auto shown = show(opened.scene, options);
+    printMessages(opened, stderr);
+    if (!shown || opened.scene.getErrorCount() == 0) return shown;
+    return vo::Failure{options.input + ": drawn without what is wrong: " + problemsOf(opened.scene)};
 }
 
 vo::Result<void> run(const std::vector<std::string>& arguments)
 {
+    const vo::EndsWhenInterrupted atOnce;
     const auto options = vo::parseVox3dOptions(arguments);
     if (!options) return options.failure();
     if (!options->output.empty())
         if (auto named = vo::checkPictureNames(*options); !named) return named;
-    voX3DScene scene;
-    if (auto opened = openScene(scene, *options); !opened) return opened;
+    OpenedScene opened;
+    if (auto done = openScene(opened, *options); !done) return done;
     vo::Result<void> checked;
-    if (options->check) checked = check(scene, options->input);
+    if (options->check) checked = check(opened);
     const bool isShown = !options->output.empty() || (!options->check && options->save.empty());
-    if (isShown && checked) checked = showWithMessages(scene, *options);
+    if (isShown && checked) checked = showWithMessages(opened, *options);
     if (!options->save.empty())
-        if (auto saved = save(scene, *options); !saved) return saved;
+        if (auto saved = save(opened, *options); !saved) return saved;
     return checked;
 }
 

@@ -18,9 +18,15 @@ public:
 
     std::string text(const char* what)
     {
-        if (next_ < words_.size()) return words_[next_++];
-        fail(what, "the end");
-        return "";
+        const std::string word = next_ < words_.size() ? words_[next_] : "";
+        if (next_ >= words_.size())
+            fail(what, "the end");
+        else if (word.empty())
+            fail(what, "\"\"");
+        else if (isOption(word))
+            fail(what, "the option " + word);
+        ++next_;
+        return word;
     }
 
     double number(double low, double high, const char* what)
@@ -46,6 +52,7 @@ public:
         if (failure_.empty()) failure_ = "expected " + expected + ", found " + found;
     }
 
+    static bool isOption(const std::string& word);
     std::size_t next() const { return next_; }
     const std::string& failure() const { return failure_; }
 
@@ -158,6 +165,11 @@ const std::vector<Option>& options()
          }},
     };
     return all;
+}
+
+bool Words::isOption(const std::string& word)
+{
+    return std::ranges::find(options(), word, &Option::name) != options().end();
 }
 
 Result<void> checkTogether(const Vox3dOptions& options)

@@ -3,6 +3,7 @@
 #include "vox3d_pictures.h"
 
 #include "utility.h"
+#include "volume_io/volume_io.h"
 #include "volume_view/frame_names.h"
 #include "volume_view/picture.h"
 #include "vox3d_navigation.h"
@@ -10,8 +11,11 @@
 #include <vo/Error.h>
 
 #include <filesystem>
+#include <iomanip>
 #include <numbers>
 #include <span>
+#include <sstream>
+#include <unistd.h>
 
 namespace vo {
 namespace {
@@ -43,7 +47,6 @@ public:
 
     Result<std::span<const float>> paint()
     {
-        const EndsWhenInterrupted atOnce;
         if (!context_) {
             if (!view_.picture(pixels_.data())) return failure();
             return std::span<const float>(pixels_);
@@ -62,6 +65,33 @@ private:
     std::vector<float> pixels_;
     std::unique_ptr<OffscreenContext> context_;
 };
+
+/// Pixels are 4 floats here, 5 while they are computed, and 3 bytes in the end.
+Result<void> checkMemory(const Vox3dOptions& options)
+{
+    constexpr std::int64_t kBytesPerPixel = 9 * sizeof(float) + 3;
+    constexpr double kGib = 1 << 30;
+    const std::int64_t needed = std::int64_t(options.width) * options.height * kBytesPerPixel;
+    const std::int64_t there =
+        static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGE_SIZE);
+    if (there <= 0 || needed <= there) return {};
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << "option -size: expected a picture that "
+         << double(there) / kGib << " GiB of memory hold, found " << options.width << " x " << options.height
+         << " pixels, which take " << double(needed) / kGib << " GiB";
+    return Failure{text.str()};
+}
+
+/// Once the file is there, a signal lets it go again.
+Result<void> write(const std::string& name, const Vox3dOptions& options, std::span<const float> pixels)
+{
+    const auto colors = roundedColors(pixels);
+    const NoticesInterrupts whileItIsOpen;
+    auto written =
+        writePng(name, options.width, options.height, 3, colors, RowOrder::bottomFirst, interrupted);
+    if (written && interrupted()) return Failure{"interrupted"};
+    return written;
+}
 
 } // namespace
 
@@ -82,6 +112,7 @@ Result<void> checkPictureNames(const Vox3dOptions& options)
 
 Result<void> writePictures(voX3DView& view, const Vox3dOptions& options)
 {
+    if (auto fits = checkMemory(options); !fits) return fits;
     Painter painter(view, options.width, options.height);
     if (options.engine == Vox3dOptions::Engine::slices)
         if (auto opened = painter.openGl(); !opened) return opened;
@@ -92,7 +123,6 @@ Result<void> writePictures(voX3DView& view, const Vox3dOptions& options)
              options.output + ": has no %d for the number of each of the -frames; it shows the first");
     const int count = isNumbered(options.output) ? std::max(options.frames, 1) : 1;
     for (int frame = 0; frame < count; ++frame) {
-        if (interrupted()) return Failure{"interrupted"};
         const double part = double(frame) / count;
         view.setTime(options.time + cycle * part);
         if (options.frames > 0 && cycle == 0) {
@@ -103,8 +133,7 @@ Result<void> writePictures(voX3DView& view, const Vox3dOptions& options)
         const auto pixels = painter.paint();
         if (!pixels) return pixels.failure();
         const std::string name = frameName(options.output, options.frames, frame);
-        if (auto written = writePicture(name, options.width, options.height, *pixels); !written)
-            return written;
+        if (auto written = write(name, options, *pixels); !written) return written;
         if (options.frames > 0) showProgress(kProgram, "frame", frame + 1, count);
     }
     return {};

@@ -26,7 +26,6 @@ Result<void> readAll(const std::string& path, VolumeFile& file,
     auto block = MemoryBlock::allocate(path, atOnce * *sliceBytes);
     if (!block) return block.failure();
     for (std::int64_t z = 0; z < size[2]; z += atOnce) {
-        if (interrupted()) return Failure{path + ": interrupted while reading"};
         const std::int64_t count = std::min(atOnce, size[2] - z);
         const auto slices = block->bytes().first(static_cast<std::size_t>(count * *sliceBytes));
         if (auto read = file.readBrick({{0, 0, z}, {size[0], size[1], count}}, slices); !read) return read;
@@ -153,8 +152,10 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     const bool isUnsigned = info.type == ChannelType::uint8 || info.type == ChannelType::uint16;
     values.scene = isUnsigned ? fullRange(info.type) : values.seen;
     if (!(values.seen.low < values.seen.high)) {
-        values.threshold = values.seen.low;
-        values.high = values.seen.low + 1;
+        // A body in what is 0 around it.
+        const bool isNothing = values.seen.low == 0;
+        values.threshold = values.seen.low - (isNothing ? 0 : 1);
+        values.high = values.threshold + 1;
         return values;
     }
     Histogram counts(kBins, 0.0);

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <functional>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 namespace vo {
@@ -109,7 +110,7 @@ public:
     {
     }
 
-    Result<void> make()
+    Result<VolumeScene> make()
     {
         if (!options_.lutFile.empty()) {
             auto read = readLookupFile(options_.lutFile);
@@ -125,7 +126,11 @@ public:
             return volume.failure();
         }
         scene_.setRoots(roots.data(), static_cast<int>(roots.size()));
-        return {};
+        tellOfIdleOptions();
+        const std::string why = whyNothingIsSeen();
+        if (why.empty()) return VolumeScene::seen;
+        warn(kProgram, why + ": nothing is seen");
+        return VolumeScene::toldEmpty;
     }
 
 private:
@@ -133,6 +138,65 @@ private:
     bool isOld() const { return scene_.getEdition() == voX3DScope::PROPOSAL_2005; }
     bool hasLight() const { return is("tone") || is("shaded") || is("iso") || is("composed"); }
     bool hasColors() const { return values_.channels > 1; }
+
+    /// Colours of the file are drawn as they are, and a projection shows values.
+    bool hasTable() const { return !hasColors() && !is("projection") && !is("iso"); }
+
+    void tellOfIdleOptions() const
+    {
+        const std::string style = "with -style " + style_;
+        const std::string reason = is("projection")           ? style
+                                   : hasColors()              ? "on voxels that have colours"
+                                   : options_.lutFile.empty() ? ""
+                                   : is("iso")                ? style
+                                                              : "beside -lutFile";
+        if (options_.lut && !is("iso") && !reason.empty())
+            warn(kProgram, "option -lut: changes nothing " + reason);
+        if (file_ && !hasTable()) warn(kProgram, "option -lutFile: changes nothing " + reason);
+    }
+
+    /// In the file's own values, which the scene's messages do not know.
+    std::string whyNothingIsSeen() const
+    {
+        const auto& [low, high] = values_.seen;
+        const std::string found = low < high ? "values from " + numberText(low) + " to " + numberText(high)
+                                             : "the value " + numberText(low) + " alone";
+        if (is("iso")) {
+            const double at = surfaceAt();
+            if (low < at && at <= high) return "";
+            return options_.lut
+                       ? "option -lut: expected a center that voxels are below and above, found " +
+                             numberText(at) + " for " + options_.input + " with " + found
+                       : options_.input + ": expected values below and above a surface, found " + found;
+        }
+        if (!hasTable() || !options_.labels.empty() || !isClear(table({1, 1, 1}))) return "";
+        if (file_)
+            return options_.lutFile + ": expected opacities above 0 for voxels of " + options_.input +
+                   ", found none for " + found;
+        return options_.lut ? "option -lut: expected values that become opaque from below " +
+                                  numberText(high) + " on, found them clear up to " +
+                                  numberText(options_.lut->center - options_.lut->width / 2) + ", and " +
+                                  options_.input + " with " + found
+                            : options_.input + ": expected values that differ, found " + found;
+    }
+
+    /// Whether all values that voxels have, and those between, are clear in 8 bits.
+    bool isClear(const Table& of) const
+    {
+        const double count = static_cast<double>(of.size() / 4);
+        const double range = std::max(values_.scene.high - values_.scene.low, 1e-30);
+        const auto place = [&](double value) { return (value - values_.scene.low) / range * count - 0.5; };
+        const auto first =
+            static_cast<std::size_t>(std::clamp(std::floor(place(values_.seen.low)), 0.0, count - 1));
+        const auto last =
+            static_cast<std::size_t>(std::clamp(std::ceil(place(values_.seen.high)), 0.0, count - 1));
+        for (std::size_t i = first; i <= last; ++i)
+            if (std::lround(255 * of[4 * i + 3]) > 0) return false;
+        return true;
+    }
+
+    /// The value of the file that -style iso has a surface of.
+    double surfaceAt() const { return options_.lut ? options_.lut->center : values_.threshold; }
 
     voX3DNode node(const char* type) { return scene_.createNode(type); }
 
@@ -152,7 +216,7 @@ private:
     }
 
     /// Volumes of one value look like surfaces where styles ask for normals, and like fog otherwise.
-    Table table(const Color& tint)
+    Table table(const Color& tint) const
     {
         if (file_) return fileTable(values_, *file_, values_.scene.high == 255);
         const bool isFog = is("opacity") || is("projection") || is("stipple") || is("boundary");
@@ -302,9 +366,8 @@ private:
             volume.setNode("renderStyle", renderStyle({1, 1, 1}));
             return volume;
         }
-        const double at = options_.lut ? options_.lut->center : values_.threshold;
         const double range = std::max(values_.scene.high - values_.scene.low, 1e-30);
-        const auto value = static_cast<float>((at - values_.scene.low) / range);
+        const auto value = static_cast<float>((surfaceAt() - values_.scene.low) / range);
         volume.setFloats("surfaceValues", &value, 1);
         const voX3DNode style = surface();
         volume.setNodes("renderStyle", &style, 1);
@@ -480,7 +543,7 @@ bool isScene(const std::string& path)
                                named);
 }
 
-Result<void> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options)
+Result<VolumeScene> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options)
 {
     // Only the proposal of 2005 has points in place of voxels.
     const std::string empty = std::string("<X3D profile='Full' version='") +
@@ -493,14 +556,13 @@ Result<void> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options)
     auto values = lookAtVolume(kProgram, options.input);
     if (!values) return values.failure();
     fitSpacing(options.input, *values);
-    if (values->seen.low == values->seen.high)
-        warn(kProgram, options.input + ": all voxels are the same; nothing to tell apart");
     return SceneMaker(scene, options, *values).make();
 }
 
-void makeUrlsRelative(voX3DScene& scene, const std::string& output)
+std::set<std::string> makeUrlsRelative(voX3DScene& scene, const std::string& output)
 {
     const fs::path folder = fs::absolute(output).parent_path();
+    std::set<std::string> outside;
     for (int i = 0; i < scene.getRootCount(); ++i)
         eachUrl(scene.getRoot(i), [&](voX3DNode node) {
             const char* const path = node.getPath("url");
@@ -509,12 +571,12 @@ void makeUrlsRelative(voX3DScene& scene, const std::string& output)
             const fs::path base = fs::canonical(folder, none);
             const fs::path relative = fs::path(path).lexically_relative(none ? folder : base);
             if (relative.empty()) return;
-            if (*relative.begin() == "..")
-                warn(kProgram, output + ": is read with -allow " + fs::path(path).parent_path().string());
+            if (*relative.begin() == "..") outside.insert(fs::path(path).parent_path().string());
             const std::string url = urlOf(relative);
             const char* const text = url.c_str();
             node.setStrings("url", &text, 1);
         });
+    return outside;
 }
 
 } // namespace vo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include <vo/x3d/Scene.h>
 
 #include "vox3d_options.h"
@@ -10,10 +12,13 @@ namespace vo {
 bool isScene(const std::string& path);
 
 /// Makes the scene of a volume: its node with the file as its voxels, the style of the options, a viewpoint,
-/// and a light where the style takes one. Its urls are absolute paths.
-Result<void> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options);
+/// and a light where the style takes one. Its urls are absolute paths. Options that change nothing, and those
+/// that leave nothing to be seen, are told: then the answer is VolumeScene::toldEmpty.
+enum class VolumeScene { seen, toldEmpty };
+Result<VolumeScene> makeVolumeScene(voX3DScene& scene, const Vox3dOptions& options);
 
 /// Lets the urls of a scene that makeVolumeScene made begin at the folder of the file that it is written to.
-void makeUrlsRelative(voX3DScene& scene, const std::string& output);
+/// The folders outside of that, which who reads it must allow.
+std::set<std::string> makeUrlsRelative(voX3DScene& scene, const std::string& output);
 
 } // namespace vo

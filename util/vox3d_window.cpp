@@ -142,7 +142,6 @@ public:
     {
         double last = now();
         while (window_.handleEvents(!isBusy())) {
-            if (interrupted()) return Failure{"interrupted"};
             const double time = now(), passed = std::min(time - last, 0.2);
             last = time;
             int width = 0, height = 0;

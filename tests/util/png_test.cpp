@@ -104,6 +104,26 @@ TEST(Png, fullDiskLeavesTheOldPicture)
     EXPECT_EQ(readPng(folder / "a.png")->bytes, old);
 }
 
+/// Gives up before the third row.
+bool givesUpLater()
+{
+    static int asked = 0;
+    return ++asked > 2;
+}
+
+TEST(Png, whoGivesUpLeavesTheOldPicture)
+{
+    ScratchFolder folder;
+    const auto old = gradient(2, 2, 3);
+    ASSERT_TRUE(writePng(folder / "a.png", 2, 2, 3, old, RowOrder::topFirst, [] { return false; }));
+    const auto written =
+        writePng(folder / "a.png", 300, 300, 3, noise(300 * 300 * 3), RowOrder::topFirst, givesUpLater);
+    ASSERT_FALSE(written);
+    EXPECT_EQ(written.failure().text, (folder / "a.png") + ": cannot write the picture: interrupted");
+    EXPECT_EQ(folder.fileCount(), 1);
+    EXPECT_EQ(readPng(folder / "a.png")->bytes, old);
+}
+
 TEST(Png, junkMissingAndTruncatedFail)
 {
     ScratchFolder folder;

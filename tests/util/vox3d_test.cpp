@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <sstream>
+#include <unistd.h>
 
 #include "run_program.h"
 #include "scratch_folder.h"
@@ -356,9 +357,76 @@ TEST_F(Vox3dPicture, valuesThatAreNoNumbersAreToldOf)
     const ProgramRun drawn = vox3d(some + to);
     EXPECT_EQ(drawn.status, 0);
     EXPECT_EQ(drawn.output,
-              "warning: ImageTexture3D: " + some +
+              some + ": warning: ImageTexture3D: " + some +
                   ": expected numbers, found 1 that are none (NaN) and 1 infinite ones among 4: NaN "
                   "and -infinity count as the smallest, infinity as the largest\n");
+}
+
+TEST_F(Vox3dPicture, optionsThatLeaveNothingToBeSeenAreToldOf)
+{
+    const std::string volume = ball(), to = " -size 8 8 -output " + (folder / "a.png");
+    const auto told = [&](const std::string& options) { return vox3d(volume + options + to).output; };
+    EXPECT_EQ(
+        told(" -lut 1e9 1"),
+        "vox3d: option -lut: expected values that become opaque from below 200 on, found them clear up to "
+        "1e+09, and " +
+            volume + " with values from 0 to 200: nothing is seen\n");
+    EXPECT_EQ(told(" -lut 200 2"), "");
+    EXPECT_EQ(told(" -style iso -lut 9999 1"),
+              "vox3d: option -lut: expected a center that voxels are below and above, found 9999 for " +
+                  volume + " with values from 0 to 200: nothing is seen\n");
+    EXPECT_EQ(told(" -style iso -lut 0 1"),
+              "vox3d: option -lut: expected a center that voxels are below and above, found 0 for " + volume +
+                  " with values from 0 to 200: nothing is seen\n");
+    EXPECT_EQ(told(" -style iso -lut 199 1"), "");
+    std::string table;
+    for (int i = 0; i < 256; ++i)
+        table += "255 255 255 " + std::string(i > 250 ? "255" : "0") + "\n";
+    // Over all values of 8 bits: nothing up to 250.
+    const std::string late = write("late.lut", table);
+    EXPECT_EQ(told(" -lutFile " + late), "vox3d: " + late + ": expected opacities above 0 for voxels of " +
+                                             volume +
+                                             ", found none for values from 0 to 200: nothing is seen\n");
+    EXPECT_EQ(told(" -style projection -lut 1 1"),
+              "vox3d: option -lut: changes nothing with -style projection\n");
+}
+
+TEST_F(Vox3dPicture, aSceneWithNothingToDrawIsToldOf)
+{
+    const std::string path = scene("none.x3d", "<Group/>");
+    EXPECT_EQ(vox3d(path + " -size 8 8 -output " + (folder / "a.png")).output,
+              "vox3d: " + path + ": expected volumes or shapes to draw, found none\n");
+}
+
+TEST_F(Vox3dPicture, voxelsThatAreAllTheSameAreABody)
+{
+    const std::string to = " -size 8 8 -output " + (folder / "a.png");
+    const std::string one = floats("one.nrrd", "1 1 1", {5});
+    EXPECT_EQ(vox3d(one + to).output, one + ": warning: ImageTexture3D: " + one +
+                                          ": expected numbers that differ, found 5 alone: taken as 0\n");
+    EXPECT_GT(pixel(picture("a.png"), 4, 4)[0], 0);
+    EXPECT_NE(
+        vox3d(one + " -style iso" + to)
+            .output.find("vox3d: " + one +
+                         ": expected values below and above a surface, found the value 5 alone: nothing "
+                         "is seen\n"),
+        std::string::npos);
+    const std::string none = floats("none.nrrd", "1 2 1", {0, 0});
+    EXPECT_NE(
+        vox3d(none + to).output.find("vox3d: " + none +
+                                     ": expected values that differ, found the value 0 alone: nothing is "
+                                     "seen\n"),
+        std::string::npos);
+}
+
+TEST_F(Vox3dPicture, foldersThatASavedSceneNeedsAreToldOnce)
+{
+    std::filesystem::create_directory(folder / "scenes");
+    const std::string labels = floats("labels.nrrd", "24 20 16", std::vector<float>(24 * 20 * 16, 1));
+    const std::string saved = folder / "scenes/s.x3d";
+    EXPECT_EQ(vox3d(ball() + " -labels " + labels + " -save " + saved).output,
+              "vox3d: " + saved + ": is read with -allow " +
+                  std::filesystem::canonical(folder / ".").string() + "\n");
 }
 
 TEST_F(Vox3dPicture, spacingsThatNoSceneHasBecomeOne)
@@ -399,6 +467,34 @@ TEST_F(Vox3dPicture, aLongPictureEndsWhenItIsToldTo)
     EXPECT_FALSE(std::filesystem::exists(output));
 }
 
+TEST_F(Vox3dPicture, nothingHalfWrittenStays)
+{
+    const std::string path = scene("cube.x3d", cube("0xff000080")), output = folder / "a.png";
+    for (const char* seconds : {"0.05", "0.1", "0.2", "0.4", "0.6", "0.8", "1", "1.5"}) {
+        const ProgramRun run = runProgram("timeout -s INT -k 60 " + std::string(seconds) + " " VOX3D " " +
+                                          path + " -size 6000 6000 -output " + output);
+        EXPECT_TRUE(run.status == 124 || run.status == 0) << run.status << run.output;
+        const bool isThere = std::filesystem::exists(output);
+        EXPECT_EQ(folder.fileCount(), isThere ? 2 : 1) << seconds;
+        if (!isThere) continue;
+        EXPECT_EQ(picture("a.png").height, 6000) << seconds;
+        std::filesystem::remove(output);
+    }
+}
+
+TEST_F(Vox3dPicture, sizesBeyondTheMemoryAreRefused)
+{
+    const std::string path = scene("cube.x3d", cube("0xff000080"));
+    const double gib = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGE_SIZE)) / (1 << 30);
+    if (gib >= 39) GTEST_SKIP() << "the largest picture fits into " << gib << " GiB";
+    const ProgramRun run = vox3d(path + " -size 32768 32768 -output " + (folder / "a.png"));
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.output.find("GiB of memory hold, found 32768 x 32768 pixels, which take 39.0 GiB\n"),
+              std::string::npos)
+        << run.output;
+    EXPECT_EQ(folder.fileCount(), 1);
+}
+
 TEST_F(Vox3dPicture, withoutADisplayAPictureIsWritten)
 {
     const std::string path = scene("cube.x3d", cube("0xff000080"));
@@ -433,6 +529,10 @@ TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
     refused(good + " -engine ray" + out, "option -engine: expected slices or cast, found \"ray\"");
     refused(good + " -style cartoon" + out, "option -style: expected a volume, found the scene");
     refused(good + " -style teapot" + out, "option -style: expected a style (opacity, boundary");
+    refused(good + " -save ''", "option -save: expected a file name, found \"\"");
+    refused(good + " -labels ''", "option -labels: expected a file name, found \"\"");
+    refused(good + " -save -output" + out, "option -save: expected a file name, found the option -output");
+    refused("'\033[31m'", ".[31m: cannot open");
     refused(good + " " + good, "expected one scene or volume");
     refused(good + " -output " + (folder / "absent/out.png"), "absent");
     refused((folder / "absent.tif") + out, "absent.tif");

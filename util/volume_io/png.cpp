@@ -88,7 +88,7 @@ void compressFast(png_structp png)
 
 /// Nothing in here has a destructor, since libpng leaves it by a jump.
 bool writeRows(std::FILE* file, const PictureShape& shape, const std::uint8_t* topRow, std::ptrdiff_t step,
-               Escape& way)
+               bool (*givesUp)(), Escape& way)
 {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &way, escape, ignoreWarning);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
@@ -109,15 +109,17 @@ bool writeRows(std::FILE* file, const PictureShape& shape, const std::uint8_t* t
     compressFast(png);
     png_write_info(png, info);
     if (shape.bytesPerChannel == 2 && std::endian::native == std::endian::little) png_set_swap(png);
-    for (int row = 0; row < shape.height; ++row)
+    for (int row = 0; row < shape.height; ++row) {
+        if (givesUp && givesUp()) png_error(png, "interrupted");
         png_write_row(png, topRow + row * step);
+    }
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
     return true;
 }
 
 Result<void> writePicture(const std::string& path, const PictureShape& shape, const std::uint8_t* bytes,
-                          RowOrder order)
+                          RowOrder order, bool (*givesUp)() = nullptr)
 {
     auto beside = FileBeside::create(path);
     if (!beside) return beside.failure();
@@ -126,7 +128,8 @@ Result<void> writePicture(const std::string& path, const PictureShape& shape, co
     const bool topFirst = order == RowOrder::topFirst;
     const std::uint8_t* top = topFirst ? bytes : bytes + (shape.height - 1) * shape.rowBytes();
     Escape way{};
-    const bool written = writeRows(file, shape, top, topFirst ? shape.rowBytes() : -shape.rowBytes(), way);
+    const bool written =
+        writeRows(file, shape, top, topFirst ? shape.rowBytes() : -shape.rowBytes(), givesUp, way);
     const bool closed = std::fclose(file) == 0;
     if (!written) return Failure{path + ": cannot write the picture: " + way.reason.data()};
     if (!closed) return Failure{path + ": cannot write the picture: " + std::strerror(errno)};
@@ -136,11 +139,11 @@ Result<void> writePicture(const std::string& path, const PictureShape& shape, co
 } // namespace
 
 Result<void> writePng(const std::string& path, int width, int height, int channels,
-                      std::span<const std::uint8_t> bytes, RowOrder order)
+                      std::span<const std::uint8_t> bytes, RowOrder order, bool (*givesUp)())
 {
     const PictureShape shape{width, height, channels, 1};
     if (auto checked = checkPicture(path, shape, bytes.size()); !checked) return checked;
-    return writePicture(path, shape, bytes.data(), order);
+    return writePicture(path, shape, bytes.data(), order, givesUp);
 }
 
 Result<void> writeGreyPng(const std::string& path, int width, int height,

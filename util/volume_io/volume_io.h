@@ -223,9 +223,11 @@ struct Picture
 };
 
 /// Writes a PNG, beside and then renamed. `bytes` holds width * height * channels bytes (channels 3 or 4, as
-/// in Picture), the first row as `order` says. The bytes are stored as they are, marked as sRGB.
+/// in Picture), the first row as `order` says. The bytes are stored as they are, marked as sRGB. Before each
+/// row it is asked whether it `givesUp`: then that is its failure, and no file is there.
 Result<void> writePng(const std::string& path, int width, int height, int channels,
-                      std::span<const std::uint8_t> bytes, RowOrder order = RowOrder::topFirst);
+                      std::span<const std::uint8_t> bytes, RowOrder order = RowOrder::topFirst,
+                      bool (*givesUp)() = nullptr);
 
 /// Writes one value of 16 bits a pixel as a grey PNG, in the same way; the values are stored as they are,
 /// without a claim to be sRGB.
