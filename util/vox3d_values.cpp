@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <unistd.h>
 #include <vector>
 
 namespace vo {
@@ -15,28 +16,60 @@ namespace {
 constexpr std::size_t kBins = 4096;
 constexpr std::int64_t kBytesAtOnce = 64 << 20;
 
-/// Lets a function have all voxels, some slices at a time.
-Result<void> readAll(const std::string& path, VolumeFile& file,
-                     const std::function<void(std::span<const std::byte>)>& take)
+/// The voxels of a file, some slices at a time, or all of them: then they are read once and stay.
+class Slices
 {
-    const auto& size = file.info().size;
-    const auto sliceBytes = volumeBytes({size[0], size[1], 1}, file.info().bytesPerVoxel());
-    if (!sliceBytes) return Failure{path + ": " + sliceBytes.failure().text};
-    const std::int64_t atOnce = std::clamp<std::int64_t>(kBytesAtOnce / *sliceBytes, 1, size[2]);
-    auto block = MemoryBlock::allocate(path, atOnce * *sliceBytes);
-    if (!block) return block.failure();
-    for (std::int64_t z = 0; z < size[2]; z += atOnce) {
-        const std::int64_t count = std::min(atOnce, size[2] - z);
-        const auto slices = block->bytes().first(static_cast<std::size_t>(count * *sliceBytes));
-        if (auto read = file.readBrick({{0, 0, z}, {size[0], size[1], count}}, slices); !read) return read;
-        take(slices);
+public:
+    static Result<Slices> of(const std::string& path, VolumeFile& file)
+    {
+        const auto& size = file.info().size;
+        const auto sliceBytes = volumeBytes({size[0], size[1], 1}, file.info().bytesPerVoxel());
+        if (!sliceBytes) return Failure{path + ": " + sliceBytes.failure().text};
+        const std::int64_t most = std::max(kBytesAtOnce, memoryBytes() / 4);
+        const std::int64_t atOnce = size[2] <= most / *sliceBytes
+                                        ? size[2]
+                                        : std::clamp<std::int64_t>(kBytesAtOnce / *sliceBytes, 1, size[2]);
+        auto block = MemoryBlock::allocate(path, atOnce * *sliceBytes);
+        if (!block) return block.failure();
+        return Slices(file, *sliceBytes, atOnce, std::move(*block));
     }
-    return {};
-}
+
+    /// Lets a function have all voxels.
+    Result<void> each(const std::function<void(std::span<const std::byte>)>& take)
+    {
+        const auto& size = file_->info().size;
+        for (std::int64_t z = 0; z < size[2]; z += atOnce_) {
+            const std::int64_t count = std::min(atOnce_, size[2] - z);
+            const auto slices = block_.bytes().first(static_cast<std::size_t>(count * sliceBytes_));
+            if (!isRead_)
+                if (auto read = file_->readBrick({{0, 0, z}, {size[0], size[1], count}}, slices); !read)
+                    return read;
+            isRead_ = count == size[2];
+            take(slices);
+        }
+        return {};
+    }
+
+private:
+    Slices(VolumeFile& file, std::int64_t sliceBytes, std::int64_t atOnce, MemoryBlock block)
+        : file_(&file), sliceBytes_(sliceBytes), atOnce_(atOnce), block_(std::move(block))
+    {
+    }
+
+    static std::int64_t memoryBytes()
+    {
+        return static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGE_SIZE);
+    }
+
+    VolumeFile* file_;
+    std::int64_t sliceBytes_, atOnce_;
+    MemoryBlock block_;
+    bool isRead_ = false;
+};
 
 /// The first channel of voxels, one after the other.
-void eachValue(const VolumeInfo& info, std::span<const std::byte> voxels,
-               const std::function<void(double)>& take)
+template <class Take>
+void eachValue(const VolumeInfo& info, std::span<const std::byte> voxels, const Take& take)
 {
     const auto step = static_cast<std::size_t>(info.bytesPerVoxel());
     const auto each = [&](auto number) {
@@ -138,7 +171,9 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     values.alphaAdded = file->description().alphaAdded;
     values.isOriented = file->description().orientation.known;
     OddNumbers odd;
-    auto read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
+    auto slices = Slices::of(path, *file);
+    if (!slices) return slices.failure();
+    auto read = slices->each([&](std::span<const std::byte> voxels) {
         growRange(values.seen, info.type, voxels.data(),
                   voxels.size() / static_cast<std::size_t>(bytesPerChannel(info.type)));
         odd.take(info.type, voxels);
@@ -160,7 +195,7 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     }
     Histogram counts(kBins, 0.0);
     const double scale = static_cast<double>(kBins) / (values.seen.high - values.seen.low);
-    read = readAll(path, *file, [&](std::span<const std::byte> voxels) {
+    read = slices->each([&](std::span<const std::byte> voxels) {
         eachValue(info, voxels, [&](double value) {
             const double bin = (value - values.seen.low) * scale;
             if (bin >= 0) counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))] += 1;

@@ -433,6 +433,12 @@ TEST(VolumeNodes, stylesThatMakeAllClearAreToldOf)
     expectEmpty(mapped("1 2 1 1 0 0", ""), begin + "0 alone, which it makes clear");
     expectEmpty(mapped("1 2 1 1 0 1", ""), "");
     expectEmpty(mapped("2 2 1 1 0 0", ""), "");
+    // Without a function the voxel's own opacity is what later styles change.
+    const auto cartoon = [](const std::string& image) {
+        return "<VolumeData>" + pixels(image) + "<CartoonVolumeStyle/></VolumeData>";
+    };
+    expectEmpty(cartoon("1 2 1 1 0 0"), begin + "0 alone, which it makes clear");
+    expectEmpty(cartoon("1 2 1 1 0 9"), "");
 }
 
 TEST(VolumeNodes, segmentsOf2005AreTheLastComponent)
