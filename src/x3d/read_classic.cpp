@@ -355,11 +355,13 @@ private:
     void skipStatement()
     {
         const Lexer::Token what = lexer_.take();
-        builder_.warn(what.line, printableWord(what.text) + " is not supported, skipped");
-        if (what.is("PROTO") || what.is("EXTERNPROTO")) {
+        const std::string skipped = printableWord(what.text) + " is not supported, skipped";
+        const bool isPrototype = what.is("PROTO") || what.is("EXTERNPROTO");
+        if (!isPrototype) builder_.warn(what.line, skipped);
+        if (isPrototype) {
             const std::string_view name = word("the name of a prototype");
             if (builder_.gaveUp()) return;
-            builder_.warn(what.line, "so are the nodes of " + quotedWord(name));
+            builder_.warn(what.line, skipped + " with all nodes " + quotedWord(name));
             skipBraces();
             if (what.is("PROTO"))
                 skipBraces();

@@ -324,6 +324,13 @@ TEST(ReadScene, wordsStandWhereTheyMustInClassicVrml)
         std::string::npos);
 }
 
+TEST(ReadScene, prototypesAreSkippedWithTheirNodes)
+{
+    EXPECT_EQ(ofClassic("PROTO P [ field SFFloat a 1 ] { Group { } }\nP { a 2 }"),
+              "s.x3dv:3: warning: PROTO is not supported, skipped with all nodes \"P\"\n"
+              "s.x3dv:4: warning: unknown node \"P\" skipped\n");
+}
+
 TEST(ReadScene, linesEndInEverySystemsWay)
 {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
