@@ -93,10 +93,17 @@ void ShadedStyle::addLight(const StyleLight& light, const SampleBatch& samples, 
 
 void ShadedStyle::findThrough(const SampleBatch& samples, Through& through) const
 {
-    for (std::size_t i = 0; i < std::min(through.size(), fields_.shadowTextures.size()); ++i) {
+    const auto& [textures, box] = fields_.shadowTextures;
+    if (textures.empty()) return;
+    BatchVectors place;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 0; i < kBatchSize; ++i)
+            place[axis][i] = (samples.position[axis][i] - box.low[static_cast<int>(axis)]) /
+                             box.sides[static_cast<int>(axis)];
+    for (std::size_t i = 0; i < std::min(through.size(), textures.size()); ++i) {
         for (BatchFloats& numbers : through[i])
             numbers.fill(1.0f);
-        sampleTexture(*fields_.shadowTextures[i], samples.count, samples.place, through[i]);
+        sampleTexture(*textures[i], samples.count, place, through[i]);
     }
 }
 
@@ -109,7 +116,7 @@ void ShadedStyle::light(const StyleSurroundings& surroundings, SampleBatch& samp
         samples.Cv[static_cast<std::size_t>(channel)].fill(fields_.emissive[channel]);
     Through through;
     findThrough(samples, through);
-    const std::size_t inShadow = std::min(kMostLights, 4 * fields_.shadowTextures.size());
+    const std::size_t inShadow = std::min(kMostLights, 4 * fields_.shadowTextures.textures.size());
     for (std::size_t i = 0; i < surroundings.lights.size(); ++i)
         addLight(surroundings.lights[i], samples, n, CD, i < inShadow ? &through[i / 4][i % 4] : nullptr,
                  samples.Cv);
@@ -139,8 +146,10 @@ std::shared_ptr<const Style> ShadedStyle::withShadows(const ShadowTextures& text
 /// A texture answers 0 for components that it lacks; no light has their number.
 std::string ShadedStyle::writeThrough(GlslChain& chain, std::size_t texture) const
 {
-    if (texture >= fields_.shadowTextures.size()) return "vec4(1.0)";
-    return "styleTexture(" + chain.texture(fields_.shadowTextures[texture]) + ", s.place)";
+    const auto& [textures, box] = fields_.shadowTextures;
+    if (texture >= textures.size()) return "vec4(1.0)";
+    const std::string place = "(s.position - " + chain.uniform(box.low) + ") / " + chain.uniform(box.sides);
+    return "styleTexture(" + chain.texture(textures[texture]) + ", " + place + ")";
 }
 
 void ShadedStyle::write(GlslChain& chain) const

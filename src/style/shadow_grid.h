@@ -2,16 +2,24 @@
 
 #include "style/styled_scene.h"
 
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vo {
 
-/// Most texels of shadows along the longest side of a box; the other sides have as many as their length
+/// Most texels of shadows along the longest side of their box; the other sides have as many as their length
 /// needs.
 constexpr int kShadowTexels = 128;
 
-/// What of a volume stands between a place and a light, at the centres of texels that fill the box.
+/// Light ends where less than this comes through.
+constexpr float kLeastThrough = 1e-3f;
+/// The optical depth of that. No texel is darker: beside a clear one it would be thicker than it is.
+inline const float kMostDepth = -std::log(kLeastThrough);
+
+/// What of a volume stands between a position and a light, at the centres of texels that fill a box: that of
+/// the volume, or the smallest round its tetrahedra.
 struct ShadowGrid
 {
     /// A surface, and what comes through it.
@@ -20,20 +28,25 @@ struct ShadowGrid
         float value, through;
     };
 
+    LocalBox box;
     VoxelSize size;
-    glm::vec3 edges{1.0f}; ///< of a texel, local
-    std::vector<float>
-        texels; ///< optical depth of a unit of local length; for surfaces the value, none where clipped
+    glm::vec3 edges{1.0f};         ///< of a texel, local
+    std::vector<float> texels;     ///< optical depth of a unit of local length; for surfaces the value, none
+                                   ///< where clipped or outside
     bool hasSurfaces = false;      ///< light ends at them instead
     std::vector<Surface> surfaces; ///< rising
 };
 
 /// How far from a sample, local, its shadows begin, so that the texels of a surface do not darken itself.
-float shadowOffset(const glm::vec3& dimensions);
+float shadowOffset(const LocalBox& box);
+
+/// Nothing for tetrahedra that enclose nothing.
+std::optional<LocalBox> shadowBoxOf(const StyledVolume& volume);
 
 /// The opacity that samples have after their chain, seen along their normal: of styles that look at the eye
 /// too. Clipped parts are clear. A surface has the opacity of its chain for a voxel of its value. In up to
-/// `threads` threads (0: the usual number). Throws std::bad_alloc. Needs isSound() and no tetrahedra.
+/// `threads` threads (0: the usual number). Without texels where there is no shadowBoxOf(). Throws
+/// std::bad_alloc. Needs isSound().
 ShadowGrid shadowGridOf(const StyledVolume& volume, int threads);
 
 /// What of a light comes through to the centre of each texel, 65535 for all.

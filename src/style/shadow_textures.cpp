@@ -20,6 +20,7 @@ constexpr std::size_t kMostKept = 8;
 struct ShadowKey
 {
     std::uint64_t voxels = 0;
+    std::shared_ptr<const StyledTetras> tetras; ///< held, so that no others lie where they did
     glm::vec3 dimensions{0.0f};
     double unitLength = 0.0;
     std::string text;
@@ -41,6 +42,7 @@ ShadowKey keyOf(const StyledVolume& volume)
 {
     ShadowKey key;
     key.voxels = volume.voxels->serial;
+    key.tetras = volume.tetras;
     key.dimensions = volume.dimensions;
     key.unitLength = volume.unitLength;
     GlslChain glsl;
@@ -127,9 +129,9 @@ struct ShadowStore::Kept
                 fresh.push_back(*before);
         }
         lights = std::move(fresh);
-        textures.clear();
+        textures = {{}, grid.box};
         for (std::size_t first = 0; first < count; first += 4)
-            textures.push_back(textureOf(grid.size, lights, first));
+            textures.textures.push_back(textureOf(grid.size, lights, first));
         return textures;
     }
 };
@@ -152,10 +154,11 @@ ShadowStore::Kept& ShadowStore::keptFor(const StyledVolume& volume, int threads)
 
 void ShadowStore::add(StyledVolume& volume, int threads)
 {
-    if (volume.tetras || !isSound(volume)) return;
+    if (!isSound(volume)) return;
     if (volume.surroundings.lights.empty() || std::ranges::none_of(chainsOf(volume), asksForShadows)) return;
-    const ShadowTextures& textures =
-        keptFor(volume, threads).texturesFor(volume.surroundings.lights, threads);
+    Kept& kept = keptFor(volume, threads);
+    if (kept.grid.texels.empty()) return;
+    const ShadowTextures& textures = kept.texturesFor(volume.surroundings.lights, threads);
     for (StyleChain& chain : volume.surfaces ? volume.surfaces->chains : volume.chains)
         chain = chainWithShadows(chain, textures);
 }

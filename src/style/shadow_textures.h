@@ -21,8 +21,8 @@ public:
     ~ShadowStore();
 
     /// Gives textures to the styles of the volume that ask for shadows: those that the volume throws on
-    /// itself, of its first eight lights. Volumes of tetrahedra have none. In up to `threads` threads (0: the
-    /// usual number). Throws std::bad_alloc.
+    /// itself, of its first eight lights. In up to `threads` threads (0: the usual number). Throws
+    /// std::bad_alloc.
     void add(StyledVolume& volume, int threads);
 
 private:

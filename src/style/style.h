@@ -38,9 +38,19 @@ struct StyleSurroundings
     std::vector<StyleLight> lights;
 };
 
-/// What of each light comes through a volume to the places of its box: light i in component i % 4 of texture
-/// i / 4, 0 to 1. Lights that have none shine unhindered.
-using ShadowTextures = std::vector<std::shared_ptr<const VoxelTexture>>;
+/// A box along the axes of local space.
+struct LocalBox
+{
+    glm::vec3 low{-0.5f}, sides{1.0f};
+};
+
+/// What of each light comes through a volume to the positions of a box, which each texture fills: light i in
+/// component i % 4 of texture i / 4, 0 to 1. Lights that have none shine unhindered.
+struct ShadowTextures
+{
+    std::vector<std::shared_ptr<const VoxelTexture>> textures;
+    LocalBox box;
+};
 
 /// One style: what it makes of the colour and the opacity of samples, once as C++ and once as GLSL. Both say
 /// the same (docs/x3d.md has the equations).

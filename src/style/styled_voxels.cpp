@@ -76,12 +76,10 @@ int chainAt(const StyledVolume& volume, const glm::vec3& place)
     return chainOfTexel(segments, texel, static_cast<int>(volume.chains.size()));
 }
 
-void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch)
+void findChanges(const VoxelTexture& voxels, SampleBatch& batch)
 {
     const glm::vec3 size(voxels.size.x, voxels.size.y, voxels.size.z);
-    const glm::vec3 edges = dimensions / size;
-    const float shortest = std::min({edges.x, edges.y, edges.z});
-    batch.gradient.fill(0.0f);
+    const std::size_t used = voxels.components < 3 ? 1 : 3;
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         std::array<std::array<BatchFloats, 4>, 2> texels{};
@@ -91,22 +89,35 @@ void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, Sample
                 coordinate += (side == 0 ? -1.0f : 1.0f) / size[axis];
             sampleTexture(voxels, batch.count, place, texels[side]);
         }
-        const std::size_t used = voxels.components < 3 ? 1 : 3;
-        const float scale = -0.5f * shortest / edges[axis] / static_cast<float>(used);
         for (std::size_t i = 0; i < kBatchSize; ++i) {
             float difference = 0.0f;
             for (std::size_t c = 0; c < used; ++c)
                 difference += texels[1][c][i] - texels[0][c][i];
-            batch.n[a][i] = difference * scale;
-            batch.gradient[i] += batch.n[a][i] * batch.n[a][i];
+            batch.n[a][i] = 0.5f * difference / static_cast<float>(used);
         }
     }
+}
+
+void normalsFromChanges(SampleBatch& batch)
+{
+    auto& [x, y, z] = batch.n;
     for (std::size_t i = 0; i < kBatchSize; ++i) {
-        const float length = std::sqrt(batch.gradient[i]);
+        const float length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
         batch.gradient[i] = length;
         for (BatchFloats& component : batch.n)
-            component[i] = length < kLeastGradient ? 0.0f : component[i] / length;
+            component[i] = length < kLeastGradient ? 0.0f : -component[i] / length;
     }
+}
+
+void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch)
+{
+    findChanges(voxels, batch);
+    const glm::vec3 edges = dimensions / glm::vec3(voxels.size.x, voxels.size.y, voxels.size.z);
+    const float shortest = std::min({edges.x, edges.y, edges.z});
+    for (int axis = 0; axis < 3; ++axis)
+        for (float& change : batch.n[static_cast<std::size_t>(axis)])
+            change *= shortest / edges[axis];
+    normalsFromChanges(batch);
 }
 
 } // namespace vo

@@ -16,7 +16,12 @@ int chainAt(const StyledVolume& volume, const glm::vec3& place);
 /// The same, of `chains`, for texel number `texel` of the identifiers.
 int chainOfTexel(const Segments& segments, std::size_t texel, int chains);
 
-/// Sets n and gradient at the samples' places: central differences of brightness.
+/// Sets n to the change of brightness from one voxel to the next along each axis: half the difference of the
+/// two neighbours.
+void findChanges(const VoxelTexture& voxels, SampleBatch& batch);
+/// From the change over a shortest edge, local, in n: n and gradient.
+void normalsFromChanges(SampleBatch& batch);
+/// Both for the box of a volume.
 void findNormals(const VoxelTexture& voxels, const glm::vec3& dimensions, SampleBatch& batch);
 
 } // namespace vo

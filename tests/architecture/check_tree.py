@@ -38,7 +38,7 @@ HOMES = [
     ("GLFW", r"\bglfw[A-Z]\w*\s*\(", r"^GLFW/", ["demos/common/", "tests/install/"]),
     ("EGL", r"\begl[A-Z]\w*\s*\(", r"^EGL/", ["demos/common/offscreen/"]),
     ("OSMesa", r"\bOSMesa[A-Z]\w*\s*\(", r"^GL/osmesa", ["demos/common/offscreen/"]),
-    ("Highway", None, r"^hwy/", ["src/core/", "src/cast/", "src/polygonize/", "src/style/", "tests/cast/", "tests/polygonize/", "tests/style/"]),
+    ("Highway", None, r"^hwy/", ["src/core/", "src/cast/", "src/polygonize/", "src/style/", "tests/cast/", "tests/polygonize/", "tests/style/", "tests/support/"]),
     ("oneTBB", r"\btbb::|\boneapi::", r"^(tbb|oneapi)/", ["src/core/"]),
     ("VTK", None, r"^vtk\w+\.h$", ["tests/bench/"]),
     ("VolPack", None, r"^volpack\.h$", ["tests/bench/"]),

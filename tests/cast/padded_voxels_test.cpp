@@ -3,10 +3,10 @@
 #include "cast/padded_voxels.h"
 #include "style/styles.h"
 #include "styled_scenes.h"
+#include "support/each_target.h"
+#include "support/sample_places.h"
 
 #include <gtest/gtest.h>
-
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,8 @@
 namespace {
 
 using namespace styled_scenes;
+using vo::test::forTargets;
+using vo::test::somePlaces;
 
 float bumps(const glm::vec3& p, int)
 {
@@ -88,17 +90,6 @@ double valueAt(const vo::VoxelTexture& texture, const glm::dvec3& place, const s
     return sum;
 }
 
-/// Places in the volume and beyond its faces, none at the border of two voxels.
-vo::BatchVectors somePlaces()
-{
-    vo::BatchVectors place{};
-    for (std::size_t i = 0; i < vo::kBatchSize; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            place[axis][i] = static_cast<float>(
-                std::fmod(0.137 + 0.618034 * static_cast<double>(i * (axis + 1)), 1.4) - 0.2);
-    return place;
-}
-
 void expectValues(const vo::VoxelTexture& texture, const vo::PaddedGrid& grid)
 {
     const vo::BatchVectors place = somePlaces();
@@ -120,18 +111,6 @@ void expectValues(const vo::VoxelTexture& texture, const vo::PaddedGrid& grid)
             }
         }
     }
-}
-
-/// Calls check() with each instruction set that this machine has.
-template <class Check>
-void forTargets(const Check& check)
-{
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        SCOPED_TRACE(hwy::TargetName(targets & -targets));
-        check();
-    }
-    hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(PaddedVoxels, valuesAndChangesAreThoseOfDoublePrecision)

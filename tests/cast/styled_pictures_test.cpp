@@ -15,21 +15,13 @@
 namespace {
 
 using namespace styled_scenes;
+using vo::test::psnr;
 using vo::test::ReferenceStyle;
 using vo::test::styleWithReference;
 
 constexpr double kLeastDecibels = 45.0;
 /// A sample too few is seen.
 constexpr double kSameSamples = 70.0;
-
-/// Peak 1, over all channels.
-double decibels(const vo::ScenePicture& picture, const std::vector<double>& reference)
-{
-    double squares = 0.0;
-    for (std::size_t i = 0; i < reference.size(); ++i)
-        squares += std::pow(static_cast<double>(picture.rgba[i]) - reference[i], 2.0);
-    return -10.0 * std::log10(squares / static_cast<double>(reference.size()));
-}
 
 void expectReference(const vo::StyledScene& scene, const std::string& what, double least = kLeastDecibels)
 {
@@ -40,7 +32,7 @@ void expectReference(const vo::StyledScene& scene, const std::string& what, doub
     for (std::size_t i = 4; i < reference.size(); ++i)
         contrast = std::max(contrast, std::abs(reference[i] - reference[i % 4]));
     EXPECT_GT(contrast, 0.05) << what << ": nothing is seen";
-    EXPECT_GE(decibels(picture, reference), least) << what;
+    EXPECT_GE(psnr(picture.rgba, reference), least) << what;
 }
 
 /// Bumps, different in each component.
@@ -462,9 +454,9 @@ TEST(styledPictures, shadowsAreThoseOfStraightWays)
     vo::StyledScene scene = sceneOf(true, volume);
     scene.width = scene.height = 16;
     const std::vector<double> reference = vo::test::styledReference(scene);
-    EXPECT_LT(decibels(castOf(scene, 0), reference), 35.0) << "shadows change next to nothing";
+    EXPECT_LT(psnr(castOf(scene, 0).rgba, reference), 35.0) << "shadows change next to nothing";
     vo::ShadowStore().add(scene.volumes[0], 0);
-    EXPECT_GE(decibels(castOf(scene, 0), reference), kLeastDecibels);
+    EXPECT_GE(psnr(castOf(scene, 0).rgba, reference), kLeastDecibels);
 }
 
 } // namespace

@@ -2,8 +2,8 @@
 
 #include "cast/cast_scene.h"
 #include "draw/draw_scene.h"
-#include "offscreen/offscreen.h"
 #include "style/shadow_textures.h"
+#include "support/float_screen.h"
 #include "support/styled_reference.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -19,6 +19,7 @@
 namespace {
 
 using namespace vo;
+using vo::test::psnr;
 using vo::test::styledReference;
 using vo::test::styleWithReference;
 
@@ -110,29 +111,9 @@ StyledScene turnedScene(const StyleChain& chain, bool perspective = true, int co
     return scene;
 }
 
-double psnr(const std::vector<float>& picture, const std::vector<double>& reference)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        sum += std::pow(static_cast<double>(picture[i]) - reference[i], 2.0);
-    return -10.0 * std::log10(sum / static_cast<double>(picture.size()));
-}
-
-class SceneDrawing : public testing::TestWithParam<OffscreenProfile>
+class SceneDrawing : public vo::test::FloatScreen<kPixels>
 {
 protected:
-    void SetUp() override
-    {
-        OffscreenRequest request;
-        request.profile = GetParam();
-        request.width = request.height = kPixels;
-        request.floatColor = true;
-        std::string whyNot;
-        context_ = openOffscreen(request, &whyNot);
-        ASSERT_TRUE(context_) << whyNot;
-    }
-
-    const GladGLContext& gl() const { return context_->gl(); }
     std::vector<float> picture(const StyledScene& scene)
     {
         gl().ClearColor(0, 0, 0, 0);
@@ -154,20 +135,10 @@ protected:
         EXPECT_GT(most, 0.1) << what << " shows nothing";
     }
 
-    std::unique_ptr<OffscreenContext> context_;
     SceneDrawer drawer_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Profiles, SceneDrawing,
-                         testing::Values(OffscreenProfile::Core, OffscreenProfile::Compatibility),
-                         [](const auto& test) {
-                             return test.param == OffscreenProfile::Core ? "core" : "compatibility";
-                         });
-
-const float* pixelAt(const std::vector<float>& picture, int x, int y)
-{
-    return picture.data() + 4 * (y * kPixels + x);
-}
+INSTANTIATE_TEST_SUITE_P(Profiles, SceneDrawing, vo::test::kBothProfiles, vo::test::profileName);
 
 TEST_P(SceneDrawing, constantVolumeHasTheOpacityOfItsLength)
 {

@@ -1,11 +1,11 @@
 // Texels of textures against double precision, by each instruction set.
 
 #include "style/style.h"
+#include "support/each_target.h"
 #include "support/reference_styles.h"
+#include "support/sample_places.h"
 
 #include <gtest/gtest.h>
-
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <cstring>
@@ -13,6 +13,9 @@
 #include <string>
 
 namespace {
+
+using vo::test::forTargets;
+using vo::test::somePlaces;
 
 template <class T>
 void fillTexels(vo::VoxelTexture& texture, double full)
@@ -40,17 +43,6 @@ vo::VoxelTexture textureOf(const vo::VoxelSize& size, int components, vo::TexelK
     return texture;
 }
 
-/// Places in the texture and beyond its faces, none at the border of two texels.
-vo::BatchVectors somePlaces()
-{
-    vo::BatchVectors place{};
-    for (std::size_t i = 0; i < vo::kBatchSize; ++i)
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            place[axis][i] = static_cast<float>(
-                std::fmod(0.137 + 0.618034 * static_cast<double>(i * (axis + 1)), 1.4) - 0.2);
-    return place;
-}
-
 void expectTexels(const vo::VoxelTexture& texture)
 {
     const vo::BatchVectors place = somePlaces();
@@ -64,18 +56,6 @@ void expectTexels(const vo::VoxelTexture& texture)
                 ASSERT_NEAR(texels[c][i], expected[static_cast<int>(c)], 1e-5) << i << ", component " << c;
         }
     }
-}
-
-/// Calls check() with each instruction set that this machine has.
-template <class Check>
-void forTargets(const Check& check)
-{
-    for (std::int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
-        hwy::SetSupportedTargetsForTest(targets & -targets);
-        SCOPED_TRACE(hwy::TargetName(targets & -targets));
-        check();
-    }
-    hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(SampleTexture, texelsAreThoseOfDoublePrecision)

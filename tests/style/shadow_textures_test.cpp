@@ -119,7 +119,7 @@ TEST(Shadows, ofAConstantVolumeFallWithTheLengthOfTheWay)
           lampAt({-1.5f, 0.3f, 0.9f}), lampAt({0.4f, 0.2f, -0.1f})}) {
         const StyledVolume volume = shadowed(
             volumeOf(voxelsOf({5, 4, 3}, [&](const dvec3&) { return opacity; }), dimensions, {light}));
-        const double offset = static_cast<double>(shadowOffset(dimensions));
+        const double offset = static_cast<double>(shadowOffset({-0.5f * dimensions, dimensions}));
         EXPECT_LT(offset, 0.05);
         for (const double x : {-0.9, -0.31, 0.02, 0.77})
             for (const double y : {-0.7, -0.2, 0.55})
@@ -128,6 +128,81 @@ TEST(Shadows, ofAConstantVolumeFallWithTheLengthOfTheWay)
                     const double expected = std::pow(1.0 - opacity, std::max(length, 0.0) / 0.25);
                     EXPECT_NEAR(lightAt(volume, {x, y, z}), expected, 0.004) << x << " " << y << " " << z;
                 }
+    }
+}
+
+/// A box as five tetrahedra, their corners moved.
+std::shared_ptr<StyledTetras> tetrasOf(const glm::vec3& dimensions,
+                                       const std::function<glm::vec3(const glm::vec3&)>& moved)
+{
+    auto tetras = std::make_shared<StyledTetras>();
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
+        tetras->places.push_back(place);
+        tetras->positions.push_back(moved((place - 0.5f) * dimensions));
+    }
+    tetras->indices = {0, 3, 5, 6, 1, 3, 5, 0, 2, 3, 0, 6, 4, 5, 6, 0, 7, 3, 6, 5};
+    return tetras;
+}
+
+/// The same volume, its box in tetrahedra.
+StyledVolume inTetras(StyledVolume volume)
+{
+    volume.tetras = tetrasOf(volume.dimensions, [](const glm::vec3& corner) { return corner; });
+    return volume;
+}
+
+TEST(Shadows, ofTetrahedraThatFillTheBoxAreThoseOfTheBox)
+{
+    BoundaryEnhancement boundary; // which reads gradients
+    boundary.opacityFactor = 1.0f;
+    StyledVolume volume = volumeOf(voxelsOf({7, 6, 5}, [](const dvec3& place) { return place.x * place.y; }),
+                                   {2.0f, 1.5f, 1.0f}, {sunOf({0.3f, -0.8f, 0.5f})});
+    volume.chains = {{makeStyle(boundary), shadedWithShadows()}};
+    StyledVolume surfaces = volume;
+    surfaces.surfaces = IsoSurfaces{{0.5f}, {{shadedWithShadows()}}, 0.0f, nullptr};
+    for (const StyledVolume& each : {volume, surfaces}) {
+        const StyledVolume box = shadowed(each), tetras = shadowed(inTetras(each));
+        double least = 1.0;
+        for (const double x : {-0.9, -0.31, 0.02, 0.77})
+            for (const double y : {-0.7, -0.2, 0.55})
+                for (const double z : {-0.45, 0.04, 0.4}) {
+                    const double expected = lightAt(box, {x, y, z});
+                    EXPECT_NEAR(lightAt(tetras, {x, y, z}), expected, 2e-4) << x << " " << y << " " << z;
+                    least = std::min(least, expected);
+                }
+        EXPECT_LT(least, 0.6);
+    }
+}
+
+TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
+{
+    const double opacity = 51.0 / 255.0;
+    const glm::vec3 low(3.0f, -2.0f, 1.0f);
+    StyledVolume volume = volumeOf(voxelsOf({4, 4, 4}, [&](const dvec3&) { return opacity; }),
+                                   glm::vec3(1.0f), {sunOf({0, -1, 0})});
+    // One tetrahedron, its edges of three lengths.
+    auto tetra = std::make_shared<StyledTetras>();
+    tetra->places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    tetra->positions = {low, low + glm::vec3(2, 0, 0), low + glm::vec3(0, 3, 0), low + glm::vec3(0, 0, 1)};
+    tetra->indices = {0, 1, 2, 3};
+    volume.tetras = tetra;
+    for (const StyleLight& light :
+         {sunOf({0, -1, 0}), sunOf({-1, 0, 0}), lampAt(low + glm::vec3(0.5f, 4.0f, 0.2f))}) {
+        volume.surroundings.lights = {light};
+        const StyledVolume seen = shadowed(volume);
+        const double offset = static_cast<double>(shadowOffset({low, {2, 3, 1}}));
+        for (const dvec3 at : {dvec3(0.2, 0.3, 0.2), dvec3(1.0, 0.5, 0.1), dvec3(0.3, 1.2, 0.3)}) {
+            const dvec3 from = dvec3(low) + at;
+            const dvec3 way = light.kind == StyleLight::Kind::directional
+                                  ? dvec3(-light.direction)
+                                  : glm::normalize(dvec3(light.position) - from);
+            // To the face where x / 2 + y / 3 + z is 1; none of the ways leaves by another one.
+            const dvec3 slope(0.5, 1.0 / 3.0, 1.0);
+            const double length = (1.0 - glm::dot(slope, at)) / glm::dot(slope, way) - offset;
+            EXPECT_NEAR(lightAt(seen, from), std::pow(1.0 - opacity, length / 0.25), 0.015)
+                << at.x << " " << at.y;
+        }
     }
 }
 
@@ -248,7 +323,7 @@ public:
 /// Of a volume whose first style records.
 std::shared_ptr<const VoxelTexture> textureOf(const StyledVolume& volume, std::size_t number = 0)
 {
-    return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.at(number);
+    return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.textures.at(number);
 }
 
 TEST(Shadows, areKeptWhileNothingChanges)
@@ -280,6 +355,11 @@ TEST(Shadows, areKeptWhileNothingChanges)
     changed = plain;
     changed.voxels = halfSolid();
     EXPECT_NE(textureFor(changed), first);
+    changed = inTetras(plain);
+    const auto ofTetras = textureFor(changed);
+    EXPECT_NE(ofTetras, first);
+    EXPECT_EQ(textureFor(changed), ofTetras);
+    EXPECT_NE(textureFor(inTetras(plain)), ofTetras);
     changed = plain;
     changed.surroundings.lights[1].position.x = 7.0f;
     EXPECT_NE(textureFor(changed), first);
@@ -333,7 +413,7 @@ TEST(Shadows, ofVolumesWithoutSenseAreNone)
     const auto recorded = [](StyledVolume volume) {
         volume.chains = {{std::make_shared<Recorder>()}};
         ShadowStore().add(volume, 0);
-        return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.size();
+        return dynamic_cast<const Recorder&>(*volume.chains[0][0]).textures.textures.size();
     };
     const StyledVolume whole = volumeOf(halfSolid(), kThin, {sunOf({-1, 0, 0})});
     EXPECT_EQ(recorded(whole), 1u);

@@ -160,10 +160,11 @@ void addShadows(std::vector<StyleCase>& cases)
     StyleSurroundings lights = threeLights();
     Shaded shaded = material();
     shaded.shadows = true;
-    shaded.shadowTextures = {randomTexture({6, 5, 4}, 3, 14)};
+    const LocalBox box{{-0.7f, -1.1f, -0.4f}, {1.2f, 2.0f, 0.9f}};
+    shaded.shadowTextures = {{randomTexture({6, 5, 4}, 3, 14)}, box};
     cases.push_back({"Shaded, shadows of three lights", {shaded}, lights});
     lights.lights.insert(lights.lights.end(), lights.lights.begin(), lights.lights.begin() + 2);
-    shaded.shadowTextures = {randomTexture({6, 5, 4}, 4, 15), randomTexture({6, 5, 4}, 1, 16)};
+    shaded.shadowTextures.textures = {randomTexture({6, 5, 4}, 4, 15), randomTexture({6, 5, 4}, 1, 16)};
     cases.push_back({"Shaded, shadows of five lights", {shaded}, lights});
     for (StyleLight& light : lights.lights)
         light.intensity *= 0.3f;

@@ -231,11 +231,13 @@ void step(const ToneMapped& style, const StyleSurroundings& surroundings, Refere
 std::vector<double> throughOf(const Shaded& style, const ReferenceSample& sample)
 {
     if (!style.shadows) return {};
-    if (style.shadowTextures.empty()) return sample.lightThrough;
+    const auto& [textures, box] = style.shadowTextures;
+    if (textures.empty()) return sample.lightThrough;
+    const dvec3 place = (sample.position - dvec3(box.low)) / dvec3(box.sides);
     std::vector<double> through;
-    for (const TexturePointer& texture : style.shadowTextures)
+    for (const TexturePointer& texture : textures)
         for (int c = 0; c < texture->components; ++c)
-            through.push_back(referenceTexel(*texture, sample.place)[c]);
+            through.push_back(referenceTexel(*texture, place)[c]);
     return through;
 }
 

@@ -194,6 +194,12 @@ std::optional<Spot> spotInTetras(const StyledTetras& tetras, const dvec3& positi
     return std::nullopt;
 }
 
+std::optional<Spot> spotIn(const StyledVolume& volume, const dvec3& position)
+{
+    return volume.tetras ? spotInTetras(*volume.tetras, position)
+                         : spotInBox(dvec3(volume.dimensions), position);
+}
+
 /// A volume along one ray.
 class Walk
 {
@@ -221,9 +227,7 @@ public:
     std::optional<Spot> spotAt(double depth) const
     {
         if (isClipped(volume_.clipPlanes, sight_.world.at(depth))) return std::nullopt;
-        const dvec3 position = local_.at(depth);
-        return volume_.tetras ? spotInTetras(*volume_.tetras, position)
-                              : spotInBox(dvec3(volume_.dimensions), position);
+        return spotIn(volume_, local_.at(depth));
     }
 
     /// Before any style; its normal, which takes most of the time, may be left out where nothing reads it.
@@ -291,10 +295,10 @@ const StyleChain* chainAt(const StyledVolume& volume, const dvec3& place)
 
 // Shadows
 
-/// The opacity at a place of the box, seen along the normal.
+/// The opacity at a position, seen along the normal; 0 outside.
 double opacityToLight(const StyledVolume& volume, const dvec3& position)
 {
-    const auto spot = spotInBox(dvec3(volume.dimensions), position);
+    const auto spot = spotIn(volume, position);
     const dvec3 world(volume.worldFromLocal * dvec4(position, 1.0));
     if (!spot || isClipped(volume.clipPlanes, world)) return 0.0;
     const StyleChain* const chain = chainAt(volume, spot->place);
@@ -315,12 +319,13 @@ double opacityToLight(const StyledVolume& volume, const dvec3& position)
 double throughTo(const StyledVolume& volume, const StyleLight& light, const dvec3& position)
 {
     const dvec3 L = referenceWayTo(light, position);
-    double end = glm::length(dvec3(volume.dimensions));
+    const LocalBox box = shadowBoxOf(volume).value();
+    double end = glm::length(dvec3(box.sides));
     if (light.kind != StyleLight::Kind::directional)
         end = std::min(end, glm::distance(dvec3(light.position), position));
     const double step = volume.unitLength / 3.0;
     double through = 1.0;
-    for (double at = static_cast<double>(shadowOffset(volume.dimensions)); at < end; at += step) {
+    for (double at = static_cast<double>(shadowOffset(box)); at < end; at += step) {
         const double part = std::min(step, end - at);
         through *= std::pow(1.0 - opacityToLight(volume, position + L * (at + part / 2.0)),
                             part / volume.unitLength);
@@ -495,6 +500,15 @@ std::vector<double> styledReference(const StyledScene& scene)
                 picture.push_back(sum[channel]);
         }
     return picture;
+}
+
+double psnr(std::span<const float> picture, const std::vector<double>& reference)
+{
+    if (picture.size() != reference.size()) return std::numeric_limits<double>::quiet_NaN();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        sum += std::pow(static_cast<double>(picture[i]) - reference[i], 2.0);
+    return -10.0 * std::log10(sum / static_cast<double>(picture.size()));
 }
 
 } // namespace vo::test

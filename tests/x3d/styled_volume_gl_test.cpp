@@ -1,15 +1,13 @@
 // A program's own volume in OpenGL: both engines beside the reference in double precision, and behind what
 // the program has drawn before, by closed forms.
 
-#include "offscreen/offscreen.h" // before headers that name OpenGL's own
+#include "program_volume.h" // before headers that name OpenGL's own
 
 #include "support/styled_reference.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <gtest/gtest.h>
 #include <string>
 
 #include <vo/Error.h>
@@ -20,45 +18,13 @@
 namespace {
 
 using namespace vo;
+using namespace program_volume;
+using vo::test::psnr;
 using vo::test::styledReference;
 using vo::test::styleWithReference;
 
-constexpr int kPixels = 48;
-constexpr int kVoxels = 8;
 /// Decibels of all four channels, peak 1.
 constexpr double kAlike = 45.0;
-
-const voEngine kEngines[] = {voEngineScope::SLICES, voEngineScope::CAST};
-
-/// kVoxels along each axis: of one value, or a soft ball.
-class Voxels
-{
-public:
-    explicit Voxels(int value = -1)
-        : bricks(kVoxels, kVoxels, kVoxels, kVoxels, kVoxels, kVoxels, voPartialBrickTypeScope::AUGMENT, 0,
-                 voInternalFormatTypeScope::INTENSITY8_EXT, voExternalFormatTypeScope::LUMINANCE,
-                 voDataTypeScope::UNSIGNED_BYTE, voInterpolationTypeScope::_3D)
-    {
-        for (int i = 0; i < kVoxels * kVoxels * kVoxels; ++i) {
-            const glm::dvec3 place(i % kVoxels, i / kVoxels % kVoxels, i / kVoxels / kVoxels);
-            const double distance = glm::length(place - glm::dvec3(3.2, 3.5, 3.9));
-            values.push_back(static_cast<unsigned char>(
-                value >= 0 ? value : std::clamp(200.0 - 45.0 * distance, 0.0, 200.0) + 8.0 * place.x));
-        }
-        bricks.getCurrentBrickSet()->getBrick(0)->setDataPtr(values.data());
-    }
-
-    std::vector<unsigned char> values;
-    voBrickSetCollection bricks;
-};
-
-/// The volume, turned about its middle, ten in front of the eye.
-glm::dmat4 turned()
-{
-    glm::dmat4 model = glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, -14.0));
-    model = glm::rotate(model, 0.7, glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
-    return glm::translate(model, glm::dvec3(-0.5 * kVoxels));
-}
 
 /// What voX3DStyledVolume says that it draws: opacities are those of a voxel, lit from the eye.
 StyledScene sceneOf(const Voxels& voxels, const glm::dmat4& model, const glm::dmat4& projection)
@@ -90,39 +56,9 @@ std::vector<double> referenceOf(StyledScene scene)
     return styledReference(scene);
 }
 
-double psnr(const std::vector<float>& picture, const std::vector<double>& reference)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < picture.size(); ++i)
-        sum += std::pow(static_cast<double>(picture[i]) - reference[i], 2.0);
-    return -10.0 * std::log10(sum / static_cast<double>(picture.size()));
-}
-
-class StyledVolumeGl : public testing::TestWithParam<OffscreenProfile>
+class StyledVolumeGl : public ProgramScreen
 {
 protected:
-    void SetUp() override
-    {
-        OffscreenRequest request;
-        request.profile = GetParam();
-        request.width = request.height = kPixels;
-        request.floatColor = true;
-        std::string whyNot;
-        context_ = openOffscreen(request, &whyNot);
-        ASSERT_TRUE(context_) << whyNot;
-        // What a driver leaves of 8 bits is no matter here.
-        context_->clear();
-    }
-
-    const GladGLContext& gl() const { return context_->gl(); }
-    std::vector<float> drawn(voX3DStyledVolume& volume, const glm::dmat4& model, const glm::dmat4& projection,
-                             voEngine engine)
-    {
-        EXPECT_TRUE(volume.draw(glm::value_ptr(model), glm::value_ptr(projection), kPixels, kPixels, engine))
-            << voError::getErrorString();
-        EXPECT_EQ(gl().GetError(), GLenum(GL_NO_ERROR));
-        return context_->readFloats();
-    }
     /// An opaque rectangle as a program would have drawn it: its colour, and its depth in the window.
     void fill(int x, int y, int width, int height, const glm::vec4& color, double depth)
     {
@@ -134,20 +70,9 @@ protected:
         gl().Disable(GL_SCISSOR_TEST);
         gl().ClearDepth(1.0);
     }
-
-    std::unique_ptr<OffscreenContext> context_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Profiles, StyledVolumeGl,
-                         testing::Values(OffscreenProfile::Core, OffscreenProfile::Compatibility),
-                         [](const auto& test) {
-                             return test.param == OffscreenProfile::Core ? "core" : "compatibility";
-                         });
-
-const float* pixelAt(const std::vector<float>& picture, int x, int y)
-{
-    return picture.data() + 4 * (y * kPixels + x);
-}
+INSTANTIATE_TEST_SUITE_P(Profiles, StyledVolumeGl, vo::test::kBothProfiles, vo::test::profileName);
 
 TEST_P(StyledVolumeGl, bothEnginesDrawTheReference)
 {
@@ -201,6 +126,78 @@ TEST_P(StyledVolumeGl, shadowsFallAsInTheReference)
     expected.volumes[0].surroundings.lights = {side};
     const std::vector<double> reference = referenceOf(expected);
     voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks));
+    volume.setHeadlight(VO_FALSE);
+    volume.addLight(-1, 0, 0, 1);
+    for (const voEngine engine : kEngines) {
+        shaded.setInt("shadows", 0);
+        context_->clear();
+        EXPECT_LT(psnr(drawn(volume, turned(), projection, engine), reference), 35.0)
+            << "shadows change next to nothing";
+        shaded.setInt("shadows", 1);
+        context_->clear();
+        EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike) << engine;
+    }
+}
+
+/// The volume as five tetrahedra, bent: records of voxel coordinates and positions, in voxels.
+struct Bent
+{
+    Bent()
+    {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::vec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
+            const glm::vec3 moved(0.5f + place.x * (1.0f - 0.3f * place.z),
+                                  place.y + 0.25f * place.z * place.x, 1.2f * place.z - 0.2f * place.y);
+            for (const glm::vec3& each : {place, moved})
+                for (int axis = 0; axis < 3; ++axis)
+                    records.push_back(kVoxels * each[axis]);
+            tetras->places.push_back(place);
+            tetras->positions.push_back(float(kVoxels) * moved);
+        }
+        tetras->indices.assign(std::begin(indices), std::end(indices));
+    }
+
+    std::vector<float> records;
+    int indices[20] = {0, 3, 5, 6, 1, 3, 5, 0, 2, 3, 0, 6, 4, 5, 6, 0, 7, 3, 6, 5};
+    std::shared_ptr<StyledTetras> tetras = std::make_shared<StyledTetras>();
+};
+
+/// The edges of the tetrahedra beside the same in voxels, on average.
+double unitOf(const StyledTetras& tetras)
+{
+    double space = 0.0, voxels = 0.0;
+    for (std::size_t i = 0; i < tetras.indices.size(); ++i) {
+        const auto a = std::size_t(tetras.indices[i - i % 4]), b = std::size_t(tetras.indices[i]);
+        space += glm::distance(glm::dvec3(tetras.positions[a]), glm::dvec3(tetras.positions[b]));
+        voxels += kVoxels * glm::distance(glm::dvec3(tetras.places[a]), glm::dvec3(tetras.places[b]));
+    }
+    return space / voxels;
+}
+
+TEST_P(StyledVolumeGl, shadowsInBentTetrahedraFallAsInTheReference)
+{
+    const Voxels voxels;
+    Bent bent;
+    voIndexedTetraSet tetras(bent.records.data(), 8, 6, bent.indices, 20);
+    voX3DScene scene;
+    voX3DNode shaded = scene.createNode("ShadedVolumeStyle");
+    shaded.setInt("lighting", 1);
+    const glm::dmat4 projection = glm::ortho(-6.0, 6.0, -6.0, 6.0, 1.0, 30.0);
+    Shaded fields;
+    fields.lighting = fields.shadows = true;
+    StyledScene expected = sceneOf(voxels, turned(), projection);
+    StyledVolume& shown = expected.volumes[0];
+    shown.chains = {{styleWithReference(fields)}};
+    shown.worldFromLocal = turned();
+    shown.tetras = bent.tetras;
+    shown.unitLength = unitOf(*bent.tetras);
+    shown.dimensions *= static_cast<float>(shown.unitLength);
+    StyleLight side;
+    side.direction = glm::vec3(glm::inverse(glm::dmat3(turned())) * glm::dvec3(-1, 0, 0));
+    shown.surroundings.lights = {side};
+    const std::vector<double> reference = referenceOf(expected);
+    voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks), &tetras,
+                             voInterleavedArrayTypeScope::T3F_V3F);
     volume.setHeadlight(VO_FALSE);
     volume.addLight(-1, 0, 0, 1);
     for (const voEngine engine : kEngines) {
@@ -359,11 +356,8 @@ TEST_P(StyledVolumeGl, framebuffersWithSeveralSamplesHaveDepthsToo)
 TEST_P(StyledVolumeGl, withoutDepthsNothingIsHidden)
 {
     OffscreenRequest request;
-    request.profile = GetParam();
-    request.width = request.height = kPixels;
-    request.floatColor = true;
     request.withDepth = request.withStencil = false;
-    context_ = openOffscreen(request);
+    context_ = opened(request);
     ASSERT_TRUE(context_);
     const Voxels voxels(kValue);
     voX3DScene scene;
