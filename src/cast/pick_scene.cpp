@@ -252,7 +252,7 @@ private:
         front_ = depth;
     }
 
-    /// The sample that the projection shows. It stands where the first sample of the ray is.
+    /// The sample that the projection shows.
     void lookForProjected(const StyledVolume& volume, const DepthRay& local,
                           const std::vector<CellSpan>& spans, VolumeProbe& probe, float threshold)
     {
@@ -266,7 +266,9 @@ private:
                 if (opacity) joined.add(sampleDepth(volume.spacing, k), probe.intensity(), *opacity);
             }
         }
-        if (joined.empty() || !(joined.depth() < front_) || !(joined.opacity() > threshold)) return;
+        if (joined.empty()) return;
+        const double standing = standingDepth(volume, spans.front().depths.begin, joined);
+        if (!(standing < front_) || !(joined.opacity() > threshold)) return;
         const double depth = joined.chosenDepth();
         const auto span = std::ranges::find_if(spans, [depth](const CellSpan& each) {
             return each.depths.begin <= depth && depth <= each.depths.end;
@@ -274,7 +276,7 @@ private:
         if (span == spans.end()) return;
         probe.sample(*span, depth);
         take(SceneHit::Kind::voxel, volume, local, *span, depth, probe.normal(), joined.opacity());
-        front_ = joined.depth();
+        front_ = standing;
     }
 
     /// The point of the pixel, or the nearest one beside it.

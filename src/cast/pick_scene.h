@@ -22,7 +22,7 @@ struct SceneHit
 /// What is met first at a point of the picture, in pixels from its left and lower edge: surfaces,
 /// isosurfaces, and of volumes the first sample with more than the opacity `threshold` after its styles;
 /// below 0 their bounds. Of projections it is the sample that is shown (of a mean the one that adds most to
-/// it), which stands where the ray's first sample does; of stipples, which are opaque, the point of the pixel
+/// it), which stands where standingDepth() says; of stipples, which are opaque, the point of the pixel
 /// or else the nearest one up to 3 pixels from it.
 SceneHit pickScene(const StyledScene& scene, double x, double y, float threshold);
 

@@ -37,6 +37,13 @@ float JoinedSamples::intensity() const
     return sign_ * chosen().value;
 }
 
+double standingDepth(const StyledVolume& volume, double entry, const JoinedSamples& joined)
+{
+    if (volume.tetras) return joined.depth();
+    // Faces of two volumes that lie in one plane are at one depth.
+    return static_cast<double>(static_cast<float>(entry));
+}
+
 float JoinedSamples::opacity() const
 {
     if (projection_.type == RayProjection::Type::average)

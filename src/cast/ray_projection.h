@@ -48,4 +48,8 @@ private:
     double intensities_ = 0.0, opacities_ = 0.0;
 };
 
+/// The depth at which a projection stands among other things: where its ray enters the box, which
+/// neighbouring pixels do at neighbouring depths whatever the planes; of tetrahedra that of the first sample.
+double standingDepth(const StyledVolume& volume, double entry, const JoinedSamples& joined);
+
 } // namespace vo

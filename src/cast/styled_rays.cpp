@@ -145,7 +145,8 @@ bool StyledRay::project(FragmentRun& run)
     }
     joined.addIdle(path_.takeLeapt());
     if (joined.empty()) return false;
-    run.add(joined.depth(), glm::vec3(joined.intensity()), std::clamp(joined.opacity(), 0.0f, 1.0f));
+    run.add(standingDepth(*volume_.styled, path_.piece(0).depths.begin, joined),
+            glm::vec3(joined.intensity()), std::clamp(joined.opacity(), 0.0f, 1.0f));
     return true;
 }
 

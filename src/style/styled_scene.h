@@ -15,10 +15,11 @@
 namespace vo {
 
 /// Rays are joined to one colour by a maximum, minimum or mean (ProjectionVolumeStyle), which then goes over
-/// what lies behind the first sample. It is a grey: of the mean of a sample's red, green and blue after the
-/// chain. Its opacity is that of the voxel (second of two components, fourth of four, else 1) where the chain
-/// is empty, else that after the chain, as it is and for no length; of the sample that was chosen, or the
-/// mean of all. Samples behind an opaque surface are not looked at.
+/// what lies behind the place where the ray enters the volume: its box, as far as it is seen and not clipped;
+/// of tetrahedra, behind the first sample. It is a grey: of the mean of a sample's red, green and blue after
+/// the chain. Its opacity is that of the voxel (second of two components, fourth of four, else 1) where the
+/// chain is empty, else that after the chain, as it is and for no length; of the sample that was chosen, or
+/// the mean of all. Samples behind an opaque surface are not looked at.
 struct RayProjection
 {
     enum class Type { max, min, average };

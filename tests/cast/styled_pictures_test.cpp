@@ -439,6 +439,29 @@ TEST(styledPictures, volumesAndSurfacesTogether)
     }
 }
 
+TEST(styledPictures, projectionsStandAmongOtherThings)
+{
+    for (const bool perspective : {false, true}) {
+        vo::StyledVolume volume = turnedVolume(4);
+        volume.projection = vo::RayProjection{};
+        volume.clipPlanes = {{0.3, 0.5, -0.4, 1.0}};
+        vo::StyledScene scene = sceneOf(perspective, volume);
+        volume = turnedVolume(2);
+        volume.worldFromLocal = glm::translate(glm::dmat4(1.0), {2.0, 1.0, 1.5});
+        volume.spacing = 0.5;
+        volume.projection = vo::RayProjection{vo::RayProjection::Type::average, 0.0f};
+        scene.volumes.push_back(volume);
+        expectReference(scene, "two projections", kSameSamples);
+        volume.projection.reset();
+        volume.worldFromLocal = glm::translate(glm::dmat4(1.0), {-2.0, 0.5, 1.0});
+        scene.volumes.push_back(volume);
+        expectReference(scene, "two projections and samples", 60.0);
+        scene.surfaces = {ball({1.01, -1.07, 2.0}, 1.5)};
+        scene.surfaces[0].transparency = 0.5f;
+        expectReference(scene, "projections, samples and a translucent ball");
+    }
+}
+
 // Engines read what comes through from textures; the reference goes straight to the light from each sample.
 TEST(styledPictures, shadowsAreThoseOfStraightWays)
 {

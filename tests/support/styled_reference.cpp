@@ -224,6 +224,24 @@ public:
         }
     }
 
+    /// Where the ray enters the box, as far as it is seen and not clipped: the last of the faces that it
+    /// comes to.
+    double entryDepth() const
+    {
+        double entry = sight_.nearest;
+        const auto enter = [&entry](double value, double slope) {
+            if (slope > 0.0) entry = std::max(entry, -value / slope);
+        };
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double side : {-1.0, 1.0})
+                enter(0.5 * static_cast<double>(volume_.dimensions[axis]) + side * local_.start[axis],
+                      side * local_.perDepth[axis]);
+        for (const dvec4& plane : volume_.clipPlanes)
+            enter(glm::dot(plane, dvec4(sight_.world.start, 1.0)),
+                  glm::dot(plane, dvec4(sight_.world.perDepth, 0.0)));
+        return entry;
+    }
+
     std::optional<Spot> spotAt(double depth) const
     {
         if (isClipped(volume_.clipPlanes, sight_.world.at(depth))) return std::nullopt;
@@ -401,7 +419,9 @@ void addProjection(const StyledVolume& volume, const Sight& sight, double farthe
         if (chain->empty()) sample.Ov = components % 2 ? 1.0 : sample.voxel[components - 1];
         samples.push_back({depth, sample.Cv, sample.Ov});
     });
-    if (!samples.empty()) all.push_back(joined(*volume.projection, samples));
+    if (samples.empty()) return;
+    all.push_back(joined(*volume.projection, samples));
+    if (!volume.tetras) all.back().depth = walk.entryDepth();
 }
 
 // Surfaces of a value
