@@ -11,7 +11,6 @@
 #include "polygonize/slice_stack.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -19,24 +18,6 @@
 namespace vo {
 
 namespace {
-
-/// A layer of a volume of the picture.
-struct Step
-{
-    double depth;
-    std::size_t volume, first, count;
-};
-
-/// All layers, the farthest first; at one depth the volume that comes first in the scene is in front.
-std::vector<Step> stepsOf(const std::vector<std::unique_ptr<DrawnVolume>>& volumes, std::size_t count)
-{
-    std::vector<Step> steps;
-    for (std::size_t i = count; i-- > 0;)
-        for (const SliceLayer& layer : volumes[i]->layers())
-            steps.push_back({layer.depth, i, layer.first, layer.count});
-    std::ranges::stable_sort(steps, std::greater<>(), &Step::depth);
-    return steps;
-}
 
 /// Gives the caller's framebuffer back, whatever happens.
 class ScopedEnd
@@ -51,14 +32,6 @@ private:
     TranslucentTarget& target_;
 };
 
-/// One draw for two steps that follow each other in a volume.
-bool joined(Step& step, const Step& next)
-{
-    if (next.volume != step.volume || next.first != step.first + step.count) return false;
-    step.count += next.count;
-    return true;
-}
-
 } // namespace
 
 struct SceneDrawer::Private
@@ -69,7 +42,9 @@ struct SceneDrawer::Private
     TranslucentSurfaces translucent{resources};
     DrawnStipples stipples{resources};
     TranslucentTarget target{resources};
+    ProjectionMerger merger{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
+    std::vector<SliceLayer> mergedLayer; ///< of all merged projections, or none
 
     void draw(const StyledScene& scene);
 
@@ -77,7 +52,10 @@ private:
     std::size_t prepareVolumes(const StyledScene& scene);
     void drawOpaque(const StyledScene& scene);
     void drawTranslucent(const StyledScene& scene, std::size_t count);
-    void drawLayers(const std::vector<Step>& steps);
+    LayerLists layerLists(std::size_t count);
+    void drawApart(const StyledScene& scene, std::size_t count);
+    void useStep(const SceneStep& step, std::size_t merged);
+    void drawSteps(const std::vector<SceneStep>& steps, std::size_t merged);
     void checkErrors() const;
 };
 
@@ -106,43 +84,88 @@ void SceneDrawer::Private::drawOpaque(const StyledScene& scene)
     gl.DepthMask(GL_FALSE);
 }
 
-void SceneDrawer::Private::drawLayers(const std::vector<Step>& steps)
+/// Of each volume, and at last of the projections that are merged.
+LayerLists SceneDrawer::Private::layerLists(std::size_t count)
 {
-    std::size_t used = volumes.size();
+    LayerLists lists(count + 1);
+    mergedLayer.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::vector<SliceLayer>& layers = volumes[i]->layers();
+        if (!volumes[i]->isMerged()) {
+            lists[i] = layers;
+            continue;
+        }
+        const SliceLayer& whole = layers.front();
+        if (mergedLayer.empty()) mergedLayer.push_back(whole);
+        SliceLayer& all = mergedLayer.front();
+        const double farthest = std::max(all.depth + all.reach, whole.depth + whole.reach);
+        all.depth = std::min(all.depth, whole.depth);
+        all.reach = farthest - all.depth;
+    }
+    lists[count] = mergedLayer;
+    return lists;
+}
+
+void SceneDrawer::Private::drawApart(const StyledScene& scene, std::size_t count)
+{
+    const auto merged = static_cast<std::size_t>(
+        std::count_if(volumes.begin(), volumes.begin() + static_cast<std::ptrdiff_t>(count),
+                      [](const auto& volume) { return volume->isMerged(); }));
+    merger.prepare(scene.width, scene.height, merged);
+    std::size_t layer = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        volumes[i]->drawApart(target);
+        if (volumes[i]->isMerged()) volumes[i]->keep(target, merger, layer++);
+    }
+}
+
+void SceneDrawer::Private::useStep(const SceneStep& step, std::size_t merged)
+{
+    if (step.drawn != merged) return volumes[step.drawn]->use(target);
+    target.bindWithoutDepths();
+    merger.use();
+}
+
+void SceneDrawer::Private::drawSteps(const std::vector<SceneStep>& steps, std::size_t merged)
+{
+    const std::size_t none = merged + 1;
+    std::size_t used = none;
     const auto drawSurfacesBehind = [&](double depth) {
         if (!translucent.anyBehind(depth)) return;
         target.bindWithDepths();
         resources.context.gl.Enable(GL_DEPTH_TEST);
         translucent.drawBehind(depth);
-        used = volumes.size();
+        used = none;
     };
     for (std::size_t i = 0; i < steps.size();) {
-        Step step = steps[i++];
-        drawSurfacesBehind(step.depth);
-        while (i < steps.size() && !translucent.anyBehind(steps[i].depth) && joined(step, steps[i]))
+        SceneStep step = steps[i++];
+        drawSurfacesBehind(step.depth());
+        while (i < steps.size() && !translucent.anyBehind(steps[i].depth()) && step.join(steps[i]))
             ++i;
-        if (step.volume != used) volumes[step.volume]->use(target);
-        used = step.volume;
-        volumes[used]->draw(step.first, step.count);
+        if (step.drawn != used) useStep(step, merged);
+        used = step.drawn;
+        if (used == merged)
+            merger.draw(step.nearest, step.farthest);
+        else
+            volumes[used]->draw(step);
     }
     drawSurfacesBehind(-std::numeric_limits<double>::infinity());
 }
 
 void SceneDrawer::Private::drawTranslucent(const StyledScene& scene, std::size_t count)
 {
-    const std::vector<Step> steps = stepsOf(volumes, count);
-    std::vector<double> depths;
-    std::ranges::transform(steps, std::back_inserter(depths), &Step::depth);
-    translucent.prepare(scene, depths);
+    const LayerLists lists = layerLists(count);
+    std::vector<double> borders = stepBorders(lists);
+    translucent.prepare(scene, borders);
+    const std::vector<SceneStep> steps = sceneSteps(lists, borders);
     constexpr double kNearest = -std::numeric_limits<double>::infinity();
     if (steps.empty() && !translucent.anyBehind(kNearest)) return;
     if (!target.begin(scene.width, scene.height)) drawOpaque(scene);
+    drawApart(scene, count);
     constexpr float kClear[4] = {};
     target.bindWithDepths();
     resources.context.gl.ClearBufferfv(GL_COLOR, 0, kClear);
-    for (std::size_t i = 0; i < count; ++i)
-        volumes[i]->drawApart(target);
-    drawLayers(steps);
+    drawSteps(steps, count);
     target.show();
 }
 

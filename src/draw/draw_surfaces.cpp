@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -29,9 +30,9 @@ glm::vec3 normalAt(const StyledSurface& surface, std::size_t vertex)
 }
 
 /// As programs compare depths: on the same side of a border here and there.
-double inSinglePrecision(double depth)
+float inSinglePrecision(double depth)
 {
-    return static_cast<double>(static_cast<float>(depth));
+    return static_cast<float>(depth);
 }
 
 template <class Vector>
@@ -121,28 +122,27 @@ void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t numbe
     }
 }
 
-void TranslucentSurfaces::divide(std::span<const double> depths)
+void TranslucentSurfaces::divide(std::vector<double>& depths)
 {
     constexpr double kEnd = std::numeric_limits<double>::infinity();
-    borders_.assign(depths.begin(), depths.end());
-    std::ranges::transform(borders_, borders_.begin(), inSinglePrecision);
     double nearest = kEnd, farthest = -kEnd;
     for (const Triangle& triangle : triangles_) {
-        nearest = std::min(nearest, triangle.nearest);
-        farthest = std::max(farthest, triangle.farthest);
+        nearest = std::min(nearest, static_cast<double>(triangle.nearest));
+        farthest = std::max(farthest, static_cast<double>(triangle.farthest));
     }
-    borders_.push_back(nearest);
-    borders_.push_back(farthest);
-    std::ranges::sort(borders_, std::greater<>());
+    depths.push_back(nearest);
+    depths.push_back(farthest);
+    std::ranges::sort(depths);
     const double most = (farthest - nearest) / kLeastSlabs;
-    for (std::size_t i = borders_.size() - 1; i-- > 0 && most > 0.0;) {
-        const double from = std::min(borders_[i], farthest), to = std::max(borders_[i + 1], nearest);
-        const auto parts = static_cast<int>(std::ceil((from - to) / most));
+    for (std::size_t i = depths.size() - 1; i-- > 0 && most > 0.0;) {
+        const double from = std::max(depths[i], nearest), to = std::min(depths[i + 1], farthest);
+        const auto parts = static_cast<int>(std::ceil((to - from) / most));
         for (int part = 1; part < parts; ++part)
-            borders_.push_back(inSinglePrecision(from - part * most));
+            depths.push_back(to - part * most);
     }
-    borders_.push_back(kEnd);
-    borders_.push_back(-kEnd);
+    std::ranges::sort(depths);
+    borders_ = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+    std::ranges::transform(depths, std::back_inserter(borders_), inSinglePrecision);
     std::ranges::sort(borders_, std::greater<>());
     borders_.erase(std::unique(borders_.begin(), borders_.end()), borders_.end());
 }
@@ -183,7 +183,7 @@ void TranslucentSurfaces::gatherTriangles(std::vector<float>& records)
             gather(surface, number, records);
 }
 
-void TranslucentSurfaces::prepare(const StyledScene& scene, std::span<const double> depths)
+void TranslucentSurfaces::prepare(const StyledScene& scene, std::vector<double>& depths)
 {
     scene_ = &scene;
     next_ = 0;
@@ -209,8 +209,8 @@ bool TranslucentSurfaces::anyBehind(double depth) const
 void TranslucentSurfaces::drawSlab()
 {
     const std::size_t slab = parts_[next_].slab;
-    const double farthest = borders_[slab], nearest = borders_[slab + 1];
-    const auto finite = [](double depth) { return static_cast<float>(std::clamp(depth, -1e30, 1e30)); };
+    const float farthest = borders_[slab], nearest = borders_[slab + 1];
+    const auto finite = [](float depth) { return std::clamp(depth, -1e30f, 1e30f); };
     while (next_ < parts_.size() && parts_[next_].slab == slab) {
         const std::size_t first = next_, surface = triangles_[parts_[first].triangle].surface;
         while (next_ < parts_.size() && parts_[next_].slab == slab &&

@@ -22,8 +22,9 @@ public:
     {
     }
 
-    /// `depths`: of all that is to be drawn in between. Borrows the scene until it is drawn.
-    void prepare(const StyledScene& scene, std::span<const double> depths);
+    /// `depths`: of all that is to be drawn in between, rising; those of further slabs are put among them.
+    /// Borrows the scene until it is drawn.
+    void prepare(const StyledScene& scene, std::vector<double>& depths);
     /// Whether anything that is not drawn yet is behind a depth.
     bool anyBehind(double depth) const;
     /// Draws all slabs behind a depth that are not drawn yet. True: something was drawn, so that another
@@ -34,7 +35,8 @@ private:
     struct Triangle
     {
         std::size_t surface;
-        double nearest, farthest, middle;
+        float nearest, farthest;
+        double middle;
     };
     /// A triangle in a slab.
     struct Part
@@ -44,7 +46,7 @@ private:
 
     void gatherTriangles(std::vector<float>& records);
     void gather(const StyledSurface& surface, std::size_t number, std::vector<float>& records);
-    void divide(std::span<const double> depths);
+    void divide(std::vector<double>& depths);
     void gatherParts();
     void sendParts();
     void drawSlab();
@@ -53,7 +55,7 @@ private:
     SceneArrays arrays_;
     const StyledScene* scene_ = nullptr;
     std::vector<Triangle> triangles_;
-    std::vector<double> borders_; ///< slab i lies before border i and behind border i + 1
+    std::vector<float> borders_; ///< slab i lies before border i and behind border i + 1
     std::vector<Part> parts_;
     std::size_t next_ = 0; ///< of parts_
     SceneProgram* program_ = nullptr;

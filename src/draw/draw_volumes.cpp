@@ -17,8 +17,6 @@ namespace vo {
 namespace {
 
 constexpr int kTableWidth = 1024;
-/// Into which rays of a projection are divided by their first sample, where other things are in between.
-constexpr std::size_t kMostBands = 64;
 
 /// A new texture, unless it is the same.
 void replaceTexels(VoxelTexture& texture, TexelKind kind, const VoxelSize& size,
@@ -73,12 +71,14 @@ void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, 
     scene_ = &scene;
     volume_ = &volume;
     way_ = wayOf(volume, alone);
-    if (way_ != VolumeWay::slices)
-        countLayers(scene, volume, way_ == VolumeWay::rays ? 1 : kMostBands, layers_);
+    isMerged_ = isProjected(volume) && !alone;
+    if (way_ != VolumeWay::slices) countPlanes(scene, volume, layers_);
     if (!takesRays()) cutLayers(scene, volume, slicer, isJoined() ? planes_ : layers_);
     if (layers_.layers.empty()) return;
+    // Nothing else lies between parts of it.
+    if (alone && way_ != VolumeWay::slices) layers_.layers.front().reach = 0.0;
     leaps_ = way_ == VolumeWay::rays && findClearBlocks();
-    texts_ = volumeProgram(volume, {way_, leaps_});
+    texts_ = volumeProgram(volume, {way_, leaps_, isMerged_});
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
     if (takesRays())
         arrays_.sendPictureTriangle();
@@ -183,6 +183,21 @@ void DrawnVolume::drawApart(const TranslucentTarget& target)
                    [&](std::size_t i) { drawSlice(fromNearest(i).first, fromNearest(i).count); }});
 }
 
+void DrawnVolume::keep(const TranslucentTarget& target, const ProjectionMerger& merger, std::size_t layer)
+{
+    const GladGLContext& gl = resources_.context.gl;
+    merger.bind(layer);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Disable(GL_BLEND);
+    if (isJoined()) {
+        joiner_->keep(*volume_->projection, volume_->spacing);
+    } else {
+        useProgram(target);
+        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    }
+    gl.Enable(GL_BLEND);
+}
+
 void DrawnVolume::use(const TranslucentTarget& target)
 {
     if (takesRays() || isJoined())
@@ -234,15 +249,19 @@ void DrawnVolume::drawSlice(std::size_t first, std::size_t count) const
                                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-void DrawnVolume::draw(std::size_t first, std::size_t count)
+void DrawnVolume::draw(const SceneStep& step)
 {
-    if (way_ == VolumeWay::slices) return drawSlice(first, count);
-    const double last = layers_.lastPlane - static_cast<double>(first);
-    const double nearest = last - static_cast<double>(count) + 0.5;
-    if (isJoined()) return joiner_->draw(*volume_->projection, nearest, last + 0.5);
-    const double middle = layers_.middlePlane;
-    program_->set("band", glm::vec2(nearest - middle, last + 0.5 - middle));
-    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (isJoined()) return joiner_->draw(*volume_->projection);
+    if (takesRays()) return resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (volume_->surfaces) {
+        const auto partTo = [&](double depth) {
+            constexpr double kBeyond = 2.0;
+            return static_cast<float>(
+                std::clamp((depth - step.layer.depth) / step.layer.reach, -kBeyond, kBeyond));
+        };
+        program_->set("part", glm::vec2(partTo(step.nearest), partTo(step.farthest)));
+    }
+    drawSlice(step.layer.first, step.layer.count);
 }
 
 } // namespace vo

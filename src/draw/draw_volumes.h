@@ -1,9 +1,10 @@
 #pragma once
 
 #include "draw/join_planes.h"
+#include "draw/merge_projections.h"
 #include "draw/scene_resources.h"
+#include "draw/scene_steps.h"
 #include "draw/translucent_target.h"
-#include "draw/volume_layers.h"
 #include "draw/volume_programs.h"
 #include "style/styled_scene.h"
 
@@ -23,12 +24,17 @@ public:
     /// Borrows all but the slicer until it is drawn. `alone`: nothing else is seen between parts of it.
     void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer, bool alone);
     const std::vector<SliceLayer>& layers() const { return layers_.layers; }
+    /// Whether it is a projection that may have other things between or over its rays: it is not drawn, but
+    /// kept for what draws such ones.
+    bool isMerged() const { return isMerged_ && !layers_.layers.empty(); }
     /// Before anything is drawn into the target: what has one of its own.
     void drawApart(const TranslucentTarget& target);
+    /// After that, of what isMerged().
+    void keep(const TranslucentTarget& target, const ProjectionMerger& merger, std::size_t layer);
     /// Makes its program, textures and arrays, and the target with the depths or without, those that draw()
     /// uses.
     void use(const TranslucentTarget& target);
-    void draw(std::size_t first, std::size_t count);
+    void draw(const SceneStep& step);
 
 private:
     bool isJoined() const { return way_ == VolumeWay::planeSamples; }
@@ -51,7 +57,7 @@ private:
     VolumeLayers planes_; ///< of samples that are joined
     std::unique_ptr<PlaneJoiner> joiner_;
     VoxelTexture chainTable_, clearBlocks_;
-    bool leaps_ = false;
+    bool leaps_ = false, isMerged_ = false;
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;
 };

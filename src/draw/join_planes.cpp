@@ -53,13 +53,24 @@ void main()
 )";
 
 constexpr const char* kShowMain = R"(
-uniform vec2 band;
 layout(location = 0) out vec4 fragment;
 void main()
 {
     Joined all = joinedSoFar();
-    if (all.count == 0.0 || all.first < band.x || all.first > band.y) discard;
+    if (all.count == 0.0) discard;
     fragment = colorOf(all);
+}
+)";
+
+// As in kProjectionMain.
+constexpr const char* kKeepMain = R"(
+uniform float spacing;
+layout(location = 0) out vec4 fragment;
+void main()
+{
+    Joined all = joinedSoFar();
+    if (all.count == 0.0) discard;
+    fragment = vec4(colorOf(all).ra, (all.first + 0.5) * spacing, 1.0);
 }
 )";
 
@@ -187,8 +198,7 @@ void PlaneJoiner::addLayers(const RayProjection& projection, const Planes& plane
     program.set("planes", std::span<const float>(numbers));
     newest_ = 1 - newest_;
     gl.BindFramebuffer(GL_FRAMEBUFFER, states_[newest_].framebuffer);
-    triangle_.sendPictureTriangle();
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    drawTriangle();
 }
 
 void PlaneJoiner::join(const RayProjection& projection, const Planes& planes)
@@ -209,13 +219,29 @@ void PlaneJoiner::join(const RayProjection& projection, const Planes& planes)
     gl.Enable(GL_BLEND);
 }
 
-void PlaneJoiner::draw(const RayProjection& projection, double first, double last)
+SceneProgram& PlaneJoiner::drawState(const RayProjection& projection, const char* mainFunction)
 {
-    SceneProgram& program = programOf(resources_.programs, projection, kShowMain);
+    SceneProgram& program = programOf(resources_.programs, projection, mainFunction);
     program.use();
     bindState(states_[newest_], program);
     program.set("intensityThreshold", projection.intensityThreshold);
-    program.set("band", glm::vec2(first, last));
+    return program;
+}
+
+void PlaneJoiner::draw(const RayProjection& projection)
+{
+    drawState(projection, kShowMain);
+    drawTriangle();
+}
+
+void PlaneJoiner::keep(const RayProjection& projection, double spacing)
+{
+    drawState(projection, kKeepMain).set("spacing", static_cast<float>(spacing));
+    drawTriangle();
+}
+
+void PlaneJoiner::drawTriangle()
+{
     triangle_.sendPictureTriangle();
     resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

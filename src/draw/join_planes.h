@@ -31,8 +31,10 @@ public:
 
     /// Leaves a framebuffer of its own bound. Throws std::runtime_error if the driver has none.
     void join(const RayProjection& projection, const Planes& planes);
-    /// Draws rays whose first plane is in a range of numbers.
-    void draw(const RayProjection& projection, double first, double last);
+    /// Draws all rays.
+    void draw(const RayProjection& projection);
+    /// Writes what a ProjectionMerger keeps of rays; they begin at their first plane.
+    void keep(const RayProjection& projection, double spacing);
 
 private:
     /// What is known of rays so far.
@@ -47,6 +49,8 @@ private:
     void addLayers(const RayProjection& projection, const Planes& planes, std::size_t first,
                    std::size_t count);
     void bindState(const State& state, SceneProgram& program) const;
+    SceneProgram& drawState(const RayProjection& projection, const char* mainFunction);
+    void drawTriangle();
 
     SceneResources& resources_;
     SceneArrays triangle_{resources_.context};

@@ -92,6 +92,7 @@ struct PlaneRange
 {
     glm::dvec4 depthRow;
     double first, last;
+    double nearest, farthest; ///< of what is seen of it
 
     std::size_t count() const { return first <= last ? static_cast<std::size_t>(last - first) + 1 : 0; }
 };
@@ -100,13 +101,13 @@ PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume)
 {
     const glm::dvec4 depthRow = depthRowOf(scene, volume.worldFromLocal * localFromVoxel(volume));
     const auto part = seenPart(scene, volume);
-    if (!part) return {depthRow, 0.0, -1.0};
+    if (!part) return {depthRow, 0.0, -1.0, 0.0, 0.0};
     const double first = std::ceil(part->nearest / volume.spacing - 0.5);
     const double last = std::floor(part->farthest / volume.spacing - 0.5);
     if (last - first >= kMostPlanes)
         throw std::runtime_error("a volume has " + std::to_string(last - first + 1.0) +
                                  " sampling planes, at most " + std::to_string(kMostPlanes) + " are drawn");
-    return {depthRow, first, last};
+    return {depthRow, first, last, part->nearest, part->farthest};
 }
 
 } // namespace
@@ -117,19 +118,13 @@ glm::dmat4 localFromVoxel(const StyledVolume& volume)
     return glm::scale(glm::translate(glm::dmat4(1.0), -0.5 * glm::dvec3(volume.dimensions)), edge);
 }
 
-void countLayers(const StyledScene& scene, const StyledVolume& volume, std::size_t most, VolumeLayers& layers)
+void countPlanes(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers)
 {
     layers.layers.clear();
     const PlaneRange planes = planesOf(scene, volume);
-    layers.lastPlane = planes.last;
     layers.middlePlane = std::round(0.5 * (planes.first + planes.last));
-    const std::size_t count = planes.count(), wide = (count + most - 1) / most;
-    for (std::size_t first = 0; first < count; first += wide) {
-        const std::size_t inBand = std::min(wide, count - first);
-        const double middle =
-            planes.last - static_cast<double>(first) - 0.5 * static_cast<double>(inBand - 1);
-        layers.layers.push_back({sampleDepth(volume.spacing, middle), first, inBand});
-    }
+    if (planes.count() > 0)
+        layers.layers.push_back({planes.nearest, 0, planes.count(), planes.farthest - planes.nearest});
 }
 
 double planeOf(const SliceLayer& layer, const StyledVolume& volume)
@@ -158,8 +153,8 @@ void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer
                                     static_cast<std::size_t>(body.values) -
                                 3;
         const double depth = glm::dot(depthRow, glm::dvec4(position[0], position[1], position[2], 1.0));
-        layers.layers.push_back(
-            {sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first, run.count});
+        layers.layers.push_back({sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first,
+                                 run.count, volume.surfaces ? spacing : 0.0});
     }
 }
 

@@ -131,6 +131,7 @@ std::string wayDefinitions(const StyledVolume& volume, const ProgramRequest& req
         text += define("WHOLE_RAYS") + define("CLIP_PLANES", volume.clipPlanes.size());
     if (request.way == VolumeWay::projectedRays)
         text += define("TYPE", static_cast<std::size_t>(volume.projection->type));
+    if (request.mergedLater) text += define("MERGED_LATER");
     if (request.way != VolumeWay::rays) return text;
     text +=
         define("BLOCK_SHIFT", PaddedVoxels::kBlockShift) +

@@ -30,7 +30,8 @@ enum class VolumeWay { slices, rays, projectedRays, planeSamples };
 struct ProgramRequest
 {
     VolumeWay way = VolumeWay::slices;
-    bool leaps = false; ///< of rays: over blocks that are clear
+    bool leaps = false;       ///< of rays: over blocks that are clear
+    bool mergedLater = false; ///< of projectedRays: not drawn, but kept for others to be put in front
 };
 
 VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& request);

@@ -151,6 +151,7 @@ bool addSurface(int number, vec3 at, vec3 local)
 
 const char* const kSurfacesMain = R"(
 uniform mat4 clipFromLocal;
+uniform vec2 part; // of the way to the next plane
 
 void main()
 {
@@ -169,11 +170,12 @@ void main()
         int number = here < there ? i : SURFACES - 1 - i;
         float value = surfaceValues[number];
         if ((here < value) == (there < value)) continue;
-        float part = (value - here) / (there - here);
+        float at = (value - here) / (there - here);
+        if (at < part.x || at >= part.y) continue;
         bool isFirst = fragment.a == 0.0;
-        vec3 local = position + part * way;
-        if (isClipped(vec4(local, 1.0)) || !addSurface(number, place + part * placeWay, local)) continue;
-        if (isFirst) nearest = part;
+        vec3 local = position + at * way;
+        if (isClipped(vec4(local, 1.0)) || !addSurface(number, place + at * placeWay, local)) continue;
+        if (isFirst) nearest = at;
     }
     if (fragment.a == 0.0) discard;
     vec4 clip = clipFromLocal * vec4(position + nearest * way, 1.0);
@@ -221,8 +223,8 @@ void cut(inout vec2 range, float value, float slope)
         range.y = -1e30;
 }
 
-// The first and the last plane in the volume.
-vec2 planesOn(vec3 origin, vec3 way)
+// Where the ray is in the volume.
+vec2 depthsOn(vec3 origin, vec3 way)
 {
     vec2 range = depthsSeen;
     for (int axis = 0; axis < 3; ++axis) {
@@ -233,6 +235,12 @@ vec2 planesOn(vec3 origin, vec3 way)
     for (int i = 0; i < CLIP_PLANES; ++i)
         cut(range, dot(clipPlanes[i], vec4(origin, 1.0)), dot(clipPlanes[i].xyz, way));
 #endif
+    return range;
+}
+
+// The first and the last plane there.
+vec2 planesIn(vec2 range)
+{
     return vec2(ceil(range.x / spacing - 0.5), floor(range.y / spacing - 0.5));
 }
 
@@ -282,7 +290,7 @@ const float kSamplesAtOnce = 8.0;
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
-    vec2 planes = planesOn(origin, way);
+    vec2 planes = planesIn(depthsOn(origin, way));
     float last = min(planes.y, lastBefore(opaqueDepth()));
     if (planes.x > last) discard;
     float units = length(way) * spacing / unitLength;
@@ -340,7 +348,7 @@ bool crossedBetween(float here, float there)
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
-    vec2 planes = planesOn(origin, way);
+    vec2 planes = planesIn(depthsOn(origin, way));
     float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
     if (planes.x >= last) discard;
     vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
@@ -431,16 +439,15 @@ vec4 colorOf(Joined all)
 }
 )";
 
-// Each pixel is drawn with the band that its first plane is in.
+// What the projection merger keeps of a ray (draw/merge_projections.h): its grey times its opacity, that, and
+// the depth at which it begins.
 const char* const kProjectionMain = R"(
-uniform vec2 band;
-
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
-    vec2 planes = planesOn(origin, way);
+    vec2 range = depthsOn(origin, way), planes = planesIn(range);
     float last = min(planes.y, lastBefore(opaqueDepth()));
-    if (planes.x > last || planes.x < band.x || planes.x > band.y) discard;
+    if (planes.x > last) discard;
     Joined all = Joined(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     for (float k = planes.x; k <= last && !all.found; k += 1.0) {
         vec3 local = origin + ((k + 0.5) * spacing) * way;
@@ -453,6 +460,9 @@ void main()
     }
     if (all.count == 0.0) discard;
     fragment = colorOf(all);
+#ifdef MERGED_LATER
+    fragment = vec4(fragment.ra, depthBase + range.x, 1.0);
+#endif
 }
 )";
 

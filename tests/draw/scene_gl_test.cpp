@@ -217,6 +217,9 @@ StyledSurface pane(const glm::dvec3& middle, double angle, const glm::vec3& colo
     return surface;
 }
 
+/// The angle of a pane whose edges come to no pixel's middle, where rounding would decide.
+constexpr double kClearOfPixels = 1.21;
+
 TEST_P(SceneDrawing, opaqueSurfacesAreInsideAVolume)
 {
     StyledScene scene = turnedScene({});
@@ -258,6 +261,19 @@ TEST_P(SceneDrawing, translucentSurfacesAreInOrderWithSlices)
         compare(scene, perspective ? "translucent spheres, perspective" : "translucent spheres");
         scene.volumes.clear();
         compare(scene, perspective ? "spheres alone, perspective" : "spheres alone");
+    }
+}
+
+TEST_P(SceneDrawing, panesAcrossTheViewAreDrawnAtAnyDepth)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes.clear();
+    for (const double z : {0.05, 0.15, 0.25, 0.35, 0.55}) {
+        scene.surfaces = {pane({0, 0, z}, 0.0, {1, 0, 0}, 0.4f), pane({0, 0, z - 0.1}, 0.0, {0, 0, 1}, 0.5f)};
+        const std::vector<float> drawn = picture(scene);
+        const float* const middle = pixelAt(drawn, kPixels / 2, kPixels / 2);
+        EXPECT_NEAR(middle[0], 0.6f, 1e-5f) << z;
+        EXPECT_NEAR(middle[2], 0.4f * 0.5f, 1e-5f) << z;
     }
 }
 
@@ -494,8 +510,101 @@ TEST_P(SceneDrawing, projectionsEndAtOpaqueSurfaces)
     StyledScene scene = turnedScene({}, true, 4);
     scene.volumes[0].projection = RayProjection{};
     scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
-    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, 1.2, {1, 0, 0}, 0.4f)};
+    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, kClearOfPixels, {1, 0, 0}, 0.4f)};
     compare(scene, "projection, sphere and pane");
+}
+
+/// Surfaces of values in the turned ball, in another place and with planes of their own.
+StyledVolume otherSurfaces(const std::vector<float>& values, float transparency)
+{
+    Shaded shading;
+    shading.lighting = true;
+    shading.hasMaterial = true;
+    shading.diffuse = {0.2f, 0.7f, 0.9f};
+    shading.transparency = transparency;
+    OpacityMap solid;
+    solid.transferFunction = bytes({2, 1, 1}, 4, [](glm::dvec3, int) { return 1.0; });
+    StyledVolume volume = turnedScene({}).volumes[0];
+    volume.worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0.2, 0.1, 0.1));
+    volume.worldFromLocal = glm::rotate(volume.worldFromLocal, -0.4, glm::dvec3(0.0, 0.8, 0.6));
+    volume.spacing = 0.09;
+    volume.surfaces =
+        IsoSurfaces{values, {{styleWithReference(solid), styleWithReference(shading)}}, 0.0f, {}};
+    return volume;
+}
+
+TEST_P(SceneDrawing, surfacesOfValuesStandAmongTheSamplesOfOtherVolumes)
+{
+    for (const bool perspective : {false, true})
+        for (const float transparency : {0.0f, 0.5f})
+            for (const double spacing : {0.07, 0.09}) {
+                StyledScene scene = turnedScene({}, perspective);
+                scene.volumes[0].spacing = spacing;
+                scene.volumes.push_back(otherSurfaces({0.25f, 0.4f}, transparency));
+                const std::string what = "surfaces among samples " + std::to_string(transparency) +
+                                         std::to_string(spacing) + (perspective ? ", perspective" : "");
+                compare(scene, what, 60.0);
+                std::ranges::reverse(scene.volumes);
+                compare(scene, what + ", first", 60.0);
+            }
+}
+
+TEST_P(SceneDrawing, surfacesOfValuesCrossEachOtherAndPanes)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes = {otherSurfaces({0.25f}, 0.5f), otherSurfaces({0.3f}, 0.3f)};
+    scene.volumes[1].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.3, 0.2, 0.2));
+    scene.volumes[1].spacing = 0.13;
+    compare(scene, "surfaces that cross", 50.0);
+    scene.surfaces = {pane({0, 0, 0.3}, 0.7, {1, 0, 0}, 0.4f)};
+    compare(scene, "surfaces that cross, and a pane");
+    scene.volumes.pop_back();
+    compare(scene, "a surface and a pane");
+}
+
+/// Two boxes of one value each whose fronts cross in the plane x = 0.
+TEST_P(SceneDrawing, projectionsStandWhereRaysEnter)
+{
+    StyledScene scene = sceneOf(constant(0.2), false);
+    scene.volumes.push_back(sceneOf(constant(0.8), false).volumes[0]);
+    for (std::size_t i = 0; i < 2; ++i) {
+        StyledVolume& volume = scene.volumes[i];
+        volume.worldFromLocal = glm::rotate(glm::dmat4(1.0), 0.3, glm::dvec3(1, 0, 0));
+        volume.worldFromLocal = glm::rotate(volume.worldFromLocal, i == 0 ? 0.5 : -0.5, glm::dvec3(0, 1, 0));
+        volume.projection = RayProjection{};
+        volume.spacing = 0.3;
+    }
+    ScenePicture cast;
+    castScene(scene, 0, cast);
+    for (const std::vector<float>& drawn : {picture(scene), cast.rgba})
+        for (int y = 24; y < 40; ++y)
+            for (int x = 21; x < 43; ++x) {
+                const float value = x < kPixels / 2 ? 51.0f / 255.0f : 204.0f / 255.0f;
+                ASSERT_NEAR(pixelAt(drawn, x, y)[0], value, 1e-4f) << x << ", " << y;
+            }
+}
+
+TEST_P(SceneDrawing, projectionsStandAmongOtherThings)
+{
+    for (const bool perspective : {false, true}) {
+        const std::string way = perspective ? ", perspective" : "";
+        StyledScene scene = turnedScene({}, perspective, 4);
+        scene.volumes[0].projection = RayProjection{};
+        scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
+        scene.volumes.push_back(otherSurfaces({0.25f}, 0.5f));
+        compare(scene, "projection and surfaces" + way, 55.0);
+        scene.volumes[1].surfaces.reset();
+        compare(scene, "projection and samples" + way, 60.0);
+        scene.volumes[1].voxels = ball(2);
+        scene.volumes[1].projection = RayProjection{RayProjection::Type::average, 0.0f};
+        compare(scene, "two projections" + way, kEqual);
+        scene.volumes.push_back(otherSurfaces({0.25f}, 0.5f));
+        scene.volumes.back().surfaces.reset();
+        scene.volumes.back().worldFromLocal[3] = {-0.2, -0.3, 0.0, 1.0};
+        compare(scene, "two projections and samples" + way, 60.0);
+        scene.surfaces = {pane({0, 0, 0.3}, 0.7, {1, 0, 0}, 0.4f)};
+        compare(scene, "two projections, samples and a pane" + way);
+    }
 }
 
 /// Two tetrahedra on a common face, the second with other places than a box would have.
@@ -543,7 +652,7 @@ TEST_P(SceneDrawing, projectionsOfTetrahedraStandBetweenOtherThings)
     scene.volumes[0].tetras = tetras();
     scene.volumes[0].projection = RayProjection{};
     scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
-    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, 1.2, {1, 0, 0}, 0.4f)};
+    scene.surfaces = {sphere({0.3, 0.1, 0.3}, 0.5), pane({0, 0, 0.2}, kClearOfPixels, {1, 0, 0}, 0.4f)};
     compare(scene, "tetrahedra, sphere and pane");
     scene.volumes[0].segments = Segments{quarters(), 1, 255.0f, {1, -1, 0}, 0};
     scene.volumes[0].chains.push_back({styleWithReference(ToneMapped{})});
