@@ -65,6 +65,23 @@ TEST(pickScene, voxelsOfTetrahedraLieOnSamplingPlanes)
     EXPECT_EQ(pickAt(cornerScene(), -3.0, -2.75, 0.3f).kind, SceneHit::Kind::nothing);
 }
 
+TEST(pickScene, projectionsStandWhereRaysEnter)
+{
+    StyledScene scene = orthoScene();
+    for (const int id : {1, 2}) {
+        scene.volumes.push_back(boxOf(constantTexture(0.5f, 0.25f)));
+        scene.volumes.back().projection = vo::RayProjection{};
+        scene.volumes.back().id = id;
+    }
+    // Entered at 17, where its first sample is at 17.5; the other one at 16, where it is at 18.
+    scene.volumes[0].worldFromLocal[3].z = -1.0;
+    scene.volumes[1].spacing = 4.0;
+    const SceneHit hit = pickAt(scene, 0.5, 0.5, 0.2f);
+    ASSERT_EQ(hit.kind, SceneHit::Kind::voxel);
+    EXPECT_EQ(hit.id, 2);
+    EXPECT_NEAR(hit.depth, 18.0, 1e-9);
+}
+
 TEST(pickScene, clipPlanesAreMetWhereTheyCut)
 {
     StyledScene scene = orthoScene();
