@@ -1,8 +1,10 @@
 // What a ray through a picture meets first: tetrahedra, planes that clip, and what is left out.
 
 #include "cast/pick_scene.h"
+#include "style/stipple_points.h"
 #include "styled_scenes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -110,6 +112,97 @@ TEST(pickScene, solidSurfacesAreMetFromOutsideAlone)
     const SceneHit hit = pickAt(scene, 0.0, 0.0, 0.0f);
     EXPECT_EQ(hit.id, 1);
     expectNear(glm::dvec3(hit.normal), {0.0, 0.0, 1.0});
+}
+
+/// The box by a projection; its values along z.
+StyledScene projectionOf(vo::RayProjection::Type type, const std::function<float(float)>& valueAt,
+                         int components = 1)
+{
+    StyledScene scene = orthoScene();
+    scene.volumes.push_back(boxOf(
+        textureOf({1, 1, 8}, components, [&](const glm::vec3& place, int) { return valueAt(place.z); })));
+    scene.volumes[0].projection = vo::RayProjection{type, 0.0f};
+    return scene;
+}
+
+TEST(pickScene, projectionsLookAtTheFirstSampleAndTheLast)
+{
+    using Type = vo::RayProjection::Type;
+    const auto rising = [](float z) { return z; };
+    // Planes lie from 3.5 to -3.5.
+    expectNear(pickAt(projectionOf(Type::max, rising), 0.5, 0.5, 0.0f).local, {0.5, 0.5, 3.5});
+    expectNear(pickAt(projectionOf(Type::min, rising), 0.5, 0.5, 0.0f).local, {0.5, 0.5, -3.5});
+    const SceneHit mean = pickAt(projectionOf(Type::average, rising, 2), 0.5, 0.5, 0.0f);
+    EXPECT_NEAR(mean.opacity, 0.5f, 1e-5f);
+    expectNear(mean.local, {0.5, 0.5, 3.5});
+}
+
+TEST(pickScene, projectionsLookAtTheMeanOfColors)
+{
+    StyledScene scene = orthoScene();
+    // Red is the greatest in front, the mean behind.
+    scene.volumes.push_back(boxOf(textureOf({1, 1, 8}, 3, [](const glm::vec3& place, int c) {
+        return c == 0 ? place.z : 0.9f - 0.8f * place.z;
+    })));
+    scene.volumes[0].projection = vo::RayProjection{};
+    EXPECT_NEAR(pickAt(scene, 0.5, 0.5, 0.0f).local.z, -3.5, 1e-6);
+}
+
+TEST(pickScene, projectionsHideWhatIsBehindTheirFirstSample)
+{
+    StyledScene scene = projectionOf(vo::RayProjection::Type::max, [](float z) { return 1.0f - z; });
+    scene.volumes[0].id = 1;
+    scene.volumes.push_back(boxOf(constantTexture(0.5f, 0.25f), glm::vec3(4.0f)));
+    scene.volumes[1].id = 2;
+    const SceneHit hit = pickAt(scene, 0.5, 0.5, 0.0f);
+    EXPECT_EQ(hit.id, 1);
+    EXPECT_NEAR(hit.local.z, -3.5, 1e-6) << "the one that is shown lies behind the second volume";
+}
+
+/// Which of the points is nearest to a pixel, of those that are as near the one nearest to the eye.
+const vo::StipplePoint* pointNear(const std::vector<vo::StipplePoint>& points, int x, int y, double least,
+                                  double most)
+{
+    const vo::StipplePoint* best = nullptr;
+    int bestSquare = 9; // three pixels
+    for (const vo::StipplePoint& point : points) {
+        const int dx = static_cast<int>(std::floor(2.0 * (double(point.position.x) + 10.0))) - x;
+        const int dy = static_cast<int>(std::floor(2.0 * (double(point.position.y) + 10.0))) - y;
+        const double z = static_cast<double>(point.position.z);
+        const int square = dx * dx + dy * dy;
+        if (z < least || z > most || square > bestSquare) continue;
+        if (best && square == bestSquare && point.position.z <= best->position.z) continue;
+        best = &point;
+        bestSquare = square;
+    }
+    return best;
+}
+
+TEST(pickScene, stipplesAreMetUpToThreePixelsAwayAndTheNearestFirst)
+{
+    StyledScene scene = orthoScene();
+    scene.clipFromEye = glm::ortho(-10.0, 10.0, -10.0, 10.0, 18.0, 100.0); // points from z = 2 on are cut off
+    scene.volumes.push_back(
+        boxOf(textureOf({6, 6, 6}, 1, [](const glm::vec3& place, int) { return 0.05f + 0.2f * place.x; })));
+    scene.volumes[0].stipple.emplace();
+    scene.volumes[0].stipple->interiorFactor = 0.0f;
+    const auto points = vo::stipplePoints(scene, scene.volumes[0], 1);
+    ASSERT_GT(points.size(), 20u);
+    vo::StyledSurface wall; // behind the middle
+    wall.positions = {{-20, -20, -1}, {20, -20, -1}, {0, 20, -1}};
+    wall.triangles = {0, 1, 2};
+    wall.id = 5;
+    scene.surfaces.push_back(wall);
+    int far = 0;
+    for (int y = 8; y < 32; ++y)
+        for (int x = 8; x < 32; ++x) {
+            const vo::StipplePoint* const expected = pointNear(points, x, y, -1.0, 2.0);
+            const SceneHit hit = vo::pickScene(scene, x + 0.5, y + 0.5, 0.5f);
+            ASSERT_EQ(hit.kind, expected ? SceneHit::Kind::voxel : SceneHit::Kind::surface) << x << " " << y;
+            if (expected) expectNear(hit.local, glm::dvec3(expected->position));
+            far += expected && hit.world.x < 0.5 * x - 10.0 - 1.0;
+        }
+    EXPECT_GT(far, 0) << "more than two pixels aside";
 }
 
 TEST(pickScene, nonsenseIsNotMet)

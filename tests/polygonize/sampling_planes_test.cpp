@@ -166,9 +166,11 @@ TEST(SamplingPlanes, tinyPeriodsClampWithoutOverflow)
 
 TEST(SamplingPlanes, onlyVerticesThatAreUsedCount)
 {
-    TetraSet set = cube(kSize);
-    set.add(glm::dvec3(1000));
-    EXPECT_EQ(vo::samplingPlanes(set.view(), orthographic({0, 0, 1}), everyVoxel()).count, 64);
+    for (const double beyond : {1000.0, -1000.0}) {
+        TetraSet set = cube(kSize);
+        set.add(glm::dvec3(beyond));
+        EXPECT_EQ(vo::samplingPlanes(set.view(), orthographic({0, 0, 1}), everyVoxel()).count, 64) << beyond;
+    }
 }
 
 TEST(SamplingPlanes, verticesThatAreNotFiniteCountAsAbsent)

@@ -96,6 +96,13 @@ TEST(stipplePoints, constantRegionsHaveTheDensityOfTheEquations)
     expectDensity(sceneOf(kConstant(0.5), factors), 16.0 * 0.15 * 0.35 * 2.0);
 }
 
+TEST(stipplePoints, voxelsHave64AtMost)
+{
+    StippleFactors factors = plainFactors();
+    factors.gradientRetainedOpacity = 100.0f;
+    expectDensity(sceneOf(kConstant(1.0), factors), 64.0);
+}
+
 TEST(stipplePoints, interiorBoundaryAndSilhouetteGoByTheGradient)
 {
     // Df is 1/32 everywhere but at the two faces across x, where it is half of that.

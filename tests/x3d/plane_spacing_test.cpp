@@ -139,6 +139,16 @@ TEST(PlaneSpacing, isUsuallyHalfAsLongWhereStylesReadNormals)
     EXPECT_EQ(usualSampling(volume), 0.5);
     volume.surfaces.emplace();
     EXPECT_EQ(usualSampling(volume), 1.0) << "surfaces lie between planes";
+    volume.surfaces.reset();
+    volume.stipple.emplace();
+    EXPECT_EQ(usualSampling(volume), 1.0) << "points lie on no planes";
+    volume.stipple.reset();
+    auto normals = std::make_shared<VoxelTexture>();
+    normals->components = 3;
+    normals->texels.resize(3);
+    shaded.surfaceNormals = normals;
+    volume.chains[1][1] = test::styleWithReference(shaded);
+    EXPECT_EQ(usualSampling(volume), 0.5) << "normals that are given";
 }
 
 TEST(PlaneSpacing, hasNoMoreThan4096PlanesInTheWayOfARay)
