@@ -1,39 +1,21 @@
 #include "bench.h"
+#include "bench_scene.h"
 
 #include "cast/ray_cast.h"
 
-#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
-#include <functional>
 #include <string>
 #include <vector>
 
-/// Frames of the CPU engine: 256^3 bytes in 512 x 512 pixels, parallel projection that fits the diagonal,
-/// azimuth 30, elevation 20, a sample a voxel. Arguments: seconds a case; a part of a case's name.
+/// Frames of the CPU engine alone, of the scenes of ./dev bench. Arguments: seconds a case; a part of a
+/// case's name.
 
 namespace {
-
-constexpr int kPicture = 512;
-
-struct Volume
-{
-    int edge = 256;
-    std::vector<std::uint8_t> voxels;
-
-    Volume(int size, const std::function<int(int, int, int)>& value) : edge(size)
-    {
-        voxels.reserve(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) *
-                       static_cast<std::size_t>(size));
-        for (int z = 0; z < size; ++z)
-            for (int y = 0; y < size; ++y)
-                for (int x = 0; x < size; ++x)
-                    voxels.push_back(static_cast<std::uint8_t>(value(x, y, z)));
-    }
-};
 
 /// A volume in bricks of `split` along each axis, overlapping by one voxel.
 struct Bricks
@@ -42,9 +24,9 @@ struct Bricks
     std::vector<vo::CastBrick> bricks;
     std::vector<vo::Box> boxes;
 
-    Bricks(const Volume& volume, int split)
+    Bricks(const bench::Volume& volume, int split)
     {
-        const int n = volume.edge;
+        const int n = volume.side;
         const auto start = [&](int i) { return i * (n - 1) / split; };
         for (int z = 0; z < split; ++z)
             for (int y = 0; y < split; ++y)
@@ -87,18 +69,6 @@ struct Cube
     }
 };
 
-vo::Table ramp(double opacity)
-{
-    vo::Table table;
-    for (int i = 0; i < 256; ++i) {
-        const auto grey = static_cast<float>(i / 255.0);
-        for (int c = 0; c < 3; ++c)
-            table.rgba.push_back(grey);
-        table.rgba.push_back(i < 64 ? 0.0f : static_cast<float>(opacity * (i - 63) / 192.0));
-    }
-    return table;
-}
-
 double cpuSeconds()
 {
     timespec now{};
@@ -112,32 +82,8 @@ struct Options
     std::string only;
 };
 
-void run(const Options& options, const std::string& name, const Bricks& bricks, int edge,
-         const vo::Table* table, vo::CastBlending blending, bool perspective = false)
+void time(const std::string& name, vo::CastRequest& request, double seconds)
 {
-    if (name.find(options.only) == std::string::npos) return;
-    const Cube cube(edge);
-    vo::CastRequest request;
-    const double half = 0.5 * edge * std::sqrt(3.0);
-    request.model = glm::rotate(glm::dmat4(1.0), glm::radians(20.0), glm::dvec3(1, 0, 0));
-    request.model = glm::rotate(request.model, glm::radians(30.0), glm::dvec3(0, 1, 0));
-    request.model = glm::translate(request.model, glm::dvec3(-0.5 * edge));
-    request.projection = glm::ortho(-half, half, -half, half, -2 * half, 2 * half);
-    if (perspective) {
-        request.projection = glm::perspective(glm::radians(30.0), 1.0, 0.1 * half, 10 * half);
-        request.model =
-            glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -half / std::sin(glm::radians(15.0)))) *
-            request.model;
-    }
-    request.width = request.height = kPicture;
-    request.tetras = {cube.records, 3, cube.indices};
-    request.clipBoxes = bricks.boxes;
-    request.bricks = bricks.bricks;
-    request.sampling.period = glm::dvec3(1.0);
-    request.sampling.maxSamples = 100000;
-    request.shading.table = table;
-    request.blending = blending;
-
     vo::RayCaster caster;
     vo::CastPicture picture;
     if (const std::string why = caster.refusal(request); !why.empty()) {
@@ -153,7 +99,7 @@ void run(const Options& options, const std::string& name, const Bricks& bricks, 
                 caster.cast(request, picture);
                 ++frames;
             },
-            options.seconds);
+            seconds);
         const double cpu = (cpuSeconds() - before) / static_cast<double>(frames);
         double sum = 0.0;
         for (const float value : picture.rgbt)
@@ -165,6 +111,35 @@ void run(const Options& options, const std::string& name, const Bricks& bricks, 
     }
 }
 
+void run(const Options& options, const std::string& name, int bricksPerAxis = 1)
+{
+    const std::string shown = name + (bricksPerAxis > 1 ? ", bricks" : "");
+    if (shown.find(options.only) == std::string::npos) return;
+    const bench::Scene scene = bench::sceneNamed(name);
+    const bench::Volume volume = bench::makeVolume(scene.volume, scene.side);
+    const bench::Table entries = bench::makeTable(scene.table, volume, scene.visible);
+    vo::Table table;
+    for (const auto& entry : entries)
+        table.rgba.insert(table.rgba.end(), entry.begin(), entry.end());
+    const Bricks bricks(volume, bricksPerAxis);
+    const Cube cube(scene.side);
+    const bench::Viewer viewer = bench::viewerOf(scene);
+
+    vo::CastRequest request;
+    request.model = glm::make_mat4(viewer.view.model.data());
+    request.projection = glm::make_mat4(viewer.view.projection.data());
+    request.width = request.height = bench::kPictureSide;
+    request.tetras = {cube.records, 3, cube.indices};
+    request.clipBoxes = bricks.boxes;
+    request.bricks = bricks.bricks;
+    request.sampling.period = glm::dvec3(1.0);
+    request.sampling.maxSamples = 100000;
+    request.shading.table = &table;
+    if (!scene.maximum) request.opacityGauge = glm::dmat3(1.0);
+    request.blending = scene.maximum ? vo::CastBlending::max : vo::CastBlending::over;
+    time(shown, request, options.seconds);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -172,39 +147,9 @@ int main(int argc, char** argv)
     Options options;
     if (argc > 1) options.seconds = std::atof(argv[1]);
     if (argc > 2) options.only = argv[2];
-    const auto blob = [](int n, double radius) {
-        return [n, radius](int x, int y, int z) {
-            const double dx = x - 0.5 * n, dy = y - 0.5 * n, dz = z - 0.5 * n;
-            const double r = std::sqrt(dx * dx + dy * dy + dz * dz) / (0.5 * n);
-            const double wave = 0.5 + 0.5 * std::sin(0.15 * x) * std::sin(0.13 * y) * std::sin(0.17 * z);
-            return static_cast<int>(255.0 * std::max(0.0, 1.0 - r / radius) * wave);
-        };
-    };
-    const Volume sparse(256, blob(256, 1.0));
-    const Volume cubes(256, [](int x, int y, int z) {
-        return x % 64 < 38 && y % 64 < 38 && z % 64 < 38 ? 128 + (x + y + z) % 64 : 0;
-    });
-    const Volume dense(256, [](int x, int y, int z) { return 40 + (x * 7 + y * 13 + z * 29) % 200; });
-    vo::Table thin, thinColor, bone;
-    for (int i = 0; i < 256; ++i) {
-        const auto grey = static_cast<float>(i / 255.0);
-        thin.rgba.insert(thin.rgba.end(),
-                         {grey, grey, grey, static_cast<float>((2.0 + 2.0 * i / 255.0) / 255.0)});
-        thinColor.rgba.insert(thinColor.rgba.end(), {grey, 1.0f - grey, 0.5f, thin.rgba.back()});
-    }
-    const vo::Table soft = ramp(0.2), hard = ramp(1.0);
-    using enum vo::CastBlending;
-    const Bricks sparse1(sparse, 1), cubes1(cubes, 1), dense1(dense, 1), dense4(dense, 4);
-    run(options, "sparse", sparse1, 256, &soft, over);
-    run(options, "cubes", cubes1, 256, &soft, over);
-    run(options, "dense", dense1, 256, &thin, over);
-    run(options, "dense, perspective", dense1, 256, &thin, over, true);
-    run(options, "dense, colours", dense1, 256, &thinColor, over);
-    const Volume tiny(64, [](int x, int y, int z) { return 40 + (x * 7 + y * 13 + z * 29) % 200; });
-    run(options, "tiny", Bricks(tiny, 1), 64, &thin, over);
-    run(options, "dense, 64 bricks", dense4, 256, &thin, over);
-    run(options, "opaque", sparse1, 256, &hard, over);
-    run(options, "mip of sparse", sparse1, 256, nullptr, max);
-    run(options, "mip of dense", dense1, 256, nullptr, max);
-    run(options, "mip, table", sparse1, 256, &soft, max);
+    for (const std::string& name : bench::sceneNames())
+        run(options, name);
+    for (const char* name : {"sparse/perspective", "cubes/perspective", "dense/perspective", "dense@64"})
+        run(options, name);
+    run(options, "dense", 4);
 }
