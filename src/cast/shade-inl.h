@@ -10,6 +10,8 @@
 #include "cast/sample-inl.h"
 #include "cast/shading_plan.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace vo {
 namespace HWY_NAMESPACE {
@@ -31,6 +33,7 @@ public:
         Floats raw;
     };
     HWY_INLINE Key key(Floats raw) const { return {raw}; }
+    HWY_INLINE Mask mayBeSeen(Floats) const { return hn::FirstN(kFloats, kLanes); }
     HWY_INLINE Floats component(const Key& key, std::size_t c) const
     {
         return hn::MulAdd(key.raw, hn::Set(kFloats, slope_[c]), hn::Set(kFloats, base_[c]));
@@ -46,8 +49,17 @@ class TablePlace
 {
 public:
     TablePlace(const ShadingPlan& plan, float rawUnit)
-        : scale_(static_cast<float>(plan.last) / rawUnit), last_(static_cast<float>(plan.last))
+        : scale_(static_cast<float>(plan.last) / rawUnit), last_(static_cast<float>(plan.last)),
+          clearEnd_(plan.clearEntries() > 0 ? static_cast<float>(plan.clearEntries() - 1)
+                                            : -std::numeric_limits<float>::infinity())
     {
+    }
+
+    /// False only where alpha is 0.
+    HWY_INLINE Mask mayBeSeen(Floats raw) const
+    {
+        // The same arithmetic as a key's. Written so that a NaN may be seen.
+        return hn::Not(raw * hn::Set(kFloats, scale_) <= hn::Set(kFloats, clearEnd_));
     }
 
     struct Key
@@ -68,6 +80,7 @@ public:
 private:
     float scale_;
     float last_;
+    float clearEnd_; ///< the place up to which alpha is 0
 };
 
 class TableShade : public TablePlace

@@ -105,6 +105,12 @@ std::optional<ShadingPlan> withUnits(const ShadingPlan& plan, double units)
     return folded;
 }
 
+int ShadingPlan::clearEntries() const
+{
+    const auto seen = std::ranges::upper_bound(notZero[3], 0);
+    return std::max(static_cast<int>(seen - notZero[3].begin()) - 1, 0);
+}
+
 bool ShadingPlan::rises() const
 {
     if (!oneChannel) return false;

@@ -35,6 +35,9 @@ struct ShadingPlan
     /// True when component c is 0 for all values from low to high, as stored (`unit` stands for 1).
     bool isZero(int component, float low, float high, float unit) const;
 
+    /// How many entries of alpha from the first on are 0.
+    int clearEntries() const;
+
     /// True when there is one channel, and no component falls as values rise.
     bool rises() const;
 

@@ -12,8 +12,10 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace vo {
@@ -212,16 +214,23 @@ struct PixelLanes
     Floats alpha;
 };
 
+/// Of samples with one channel, which are not asked for another.
+struct NoPlace
+{
+};
+
 template <class Sampler, class Shade>
 struct Fragments
 {
+    using At = std::conditional_t<Sampler::kChannels == 1, NoPlace, Place>;
+
     const Sampler& sampler;
     const Shade& shade;
-    const Place& at;
+    const At& at;
     Floats value;
     typename Shade::Key key;
 
-    HWY_INLINE Fragments(const Sampler& s, const Shade& f, const Place& place, Floats answer)
+    HWY_INLINE Fragments(const Sampler& s, const Shade& f, const At& place, Floats answer)
         : sampler(s), shade(f), at(place), value(answer), key(f.key(answer))
     {
     }
@@ -230,8 +239,10 @@ struct Fragments
     HWY_INLINE Floats alpha() const { return shade.component(key, 3); }
     HWY_INLINE Floats color(std::size_t c) const
     {
-        if constexpr (Sampler::kChannels == 1) return shade.component(key, c);
-        return shade.component(shade.key(sampler.value(at, static_cast<int>(c))), c);
+        if constexpr (Sampler::kChannels == 1)
+            return shade.component(key, c);
+        else
+            return shade.component(shade.key(sampler.value(at, static_cast<int>(c))), c);
     }
     HWY_INLINE Floats red() const { return color(0); }
     HWY_INLINE void greenBlue(Floats& green, Floats& blue) const
@@ -249,7 +260,7 @@ struct Fragments<Sampler, PackedShade>
     PackedShade::Key key;
     IntPairs redAlpha;
 
-    HWY_INLINE Fragments(const Sampler&, const PackedShade& f, const Place&, Floats answer)
+    HWY_INLINE Fragments(const Sampler&, const PackedShade& f, const NoPlace&, Floats answer)
         : shade(f), key(f.key(answer)), redAlpha(f.redAlpha(key))
     {
     }
@@ -269,6 +280,8 @@ template <bool kPremultiplied>
 class Composite
 {
 public:
+    static constexpr bool kClearAddsNothing = !kPremultiplied;
+
     Composite(const RayJob& job, const Packet& packet)
         : grey_(job.shading->grey), perUnit_(job.gauge != nullptr), length_(hn::Load(kFloats, packet.units))
     {
@@ -353,6 +366,8 @@ float startOf(CastBlending blending)
 class Others
 {
 public:
+    static constexpr bool kClearAddsNothing = false;
+
     Others(const RayJob& job, const Packet& packet)
         : blending_(job.blending), perUnit_(job.gauge != nullptr), length_(hn::Load(kFloats, packet.units))
     {
@@ -410,6 +425,8 @@ template <class Shade>
 class Extreme
 {
 public:
+    static constexpr bool kClearAddsNothing = false;
+
     Extreme(const RayJob& job, const Packet& packet)
         : job_(job), most_(job.blending == CastBlending::max), raw_(hn::Set(kFloats, startOf(job.blending))),
           count_(hn::Load(kFloats, packet.count))
@@ -519,63 +536,154 @@ private:
     Mask forward_[3];
 };
 
-/// Asks for the voxels round some of these places, without waiting: neighbours share lines of the cache.
+/// Asks for the voxels near some places of the slab after this one, without waiting: neighbours share lines
+/// of the cache. The middle ray says how far that is, since the exact cells would take as long as those of
+/// samples.
 template <class Sampler>
-HWY_INLINE void prefetch(const RayJob& job, const Place& at)
+class Ahead
 {
-    constexpr int kLanesApart = 3;
-    alignas(64) std::int32_t cell[kLanes];
-    hn::Store(at.cell, kInts, cell);
-    for (int lane = 0; lane < kLanes; lane += kLanesApart)
-        hwy::Prefetch(job.grid.cells + Sampler::kCellBytes * static_cast<std::size_t>(cell[lane]));
+public:
+    Ahead(const GridView& grid, const Packet& packet)
+    {
+        const auto cellsAlong = [&](int axis) {
+            const float voxels = kSlab / kPlaceUnit * packet.step[axis][kLanes / 2];
+            return static_cast<std::intptr_t>(std::lround(std::fmax(-1e5f, std::fmin(voxels, 1e5f))));
+        };
+        const std::intptr_t cells = cellsAlong(0) +
+                                    cellsAlong(1) * static_cast<std::intptr_t>(grid.rowPitch) +
+                                    cellsAlong(2) * static_cast<std::intptr_t>(grid.slicePitch);
+        start_ = reinterpret_cast<std::uintptr_t>(grid.cells) +
+                 static_cast<std::uintptr_t>(cells * static_cast<std::intptr_t>(Sampler::kCellBytes));
+    }
+
+    HWY_INLINE void ask(const Place& at) const
+    {
+        constexpr int kLanesApart = 3;
+        alignas(64) std::int32_t cell[kLanes];
+        hn::Store(at.cell, kInts, cell);
+        // No object need lie there: asking for what is not there does nothing.
+        for (int lane = 0; lane < kLanes; lane += kLanesApart)
+            hwy::Prefetch(reinterpret_cast<const std::byte*>(
+                start_ + Sampler::kCellBytes * static_cast<std::uintptr_t>(cell[lane])));
+    }
+
+private:
+    std::uintptr_t start_;
+};
+
+/// The places of a run's samples, where channels besides the first are sampled later; storing them takes
+/// time.
+template <class Sampler, bool kLater = (Sampler::kChannels > 1)>
+class PlacesOfRun
+{
+public:
+    HWY_INLINE void keep(int i, const Place& place) { places_[i] = place; }
+    HWY_INLINE const Place& of(int i) const { return places_[i]; }
+
+private:
+    Place places_[kRun];
+};
+
+template <class Sampler>
+class PlacesOfRun<Sampler, false>
+{
+public:
+    HWY_INLINE void keep(int, const Place&) {}
+    HWY_INLINE NoPlace of(int) const { return {}; }
+};
+
+/// The rays of a packet in the grid.
+class Lines
+{
+public:
+    explicit Lines(const Packet& packet)
+    {
+        for (int axis = 0; axis < 3; ++axis) {
+            start_[axis] = hn::Load(kFloats, packet.start[axis]);
+            step_[axis] = hn::Load(kFloats, packet.step[axis]);
+        }
+    }
+
+    HWY_INLINE void placesOf(Floats sample, Ints (&place)[3]) const
+    {
+        for (int axis = 0; axis < 3; ++axis)
+            place[axis] = toNearest(hn::MulAdd(sample, step_[axis], start_[axis]));
+    }
+
+private:
+    Floats start_[3], step_[3];
+};
+
+template <class Sampler>
+struct Run
+{
+    PlacesOfRun<Sampler> at;
+    Floats raw[kRun];
+};
+
+/// Takes a run's samples from number `sample` on; those a slab further on are asked for meanwhile.
+template <class Sampler>
+HWY_INLINE void take(const Ahead<Sampler>& ahead, const GridLanes& grid, const Sampler& sampler,
+                     const Lines& lines, Floats sample, Run<Sampler>& run)
+{
+#pragma GCC unroll 4
+    for (int i = 0; i < kRun; ++i) {
+        Ints place[3];
+        lines.placesOf(sample + hn::Set(kFloats, static_cast<float>(i)), place);
+        const Place here = grid.place(place[0], place[1], place[2]);
+        ahead.ask(here);
+        run.raw[i] = sampler.value(here, Sampler::kChannels - 1);
+        run.at.keep(i, here);
+    }
 }
 
-/// Takes the packet's samples that lie before plane number `end`. Those a slab further on are asked for
-/// meanwhile.
+/// Whether no sample of a run adds anything, as far as that is known without a look at the table.
+template <class Blend, class Sampler, class Shade>
+HWY_INLINE bool addsNothing(const Run<Sampler>& run, const Shade& shade)
+{
+    if constexpr (!Blend::kClearAddsNothing) return false;
+    Mask seen = shade.mayBeSeen(run.raw[0]);
+    for (int i = 1; i < kRun; ++i)
+        seen = hn::Or(seen, shade.mayBeSeen(run.raw[i]));
+    return hn::AllFalse(kFloats, seen);
+}
+
+/// Takes the packet's samples that lie before plane number `end`.
 template <class Sampler, class Shade, class Blend>
 void walk(const RayJob& job, const Shade& shade, float end, Packet& packet)
 {
     const GridLanes grid(job.grid);
     const Sampler sampler(job.grid);
     const Leaps leaps(job, packet);
+    const Lines lines(packet);
+    const Ahead<Sampler> ahead(job.grid, packet);
     const bool leaping = kIsExtreme<Blend> ? job.blockRanges != nullptr : job.blockDistance != nullptr;
     Blend blend(job, packet);
     blend.goOn(packet);
-    Floats start[3], step[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        start[axis] = hn::Load(kFloats, packet.start[axis]);
-        step[axis] = hn::Load(kFloats, packet.step[axis]);
-    }
     const Floats one = hn::Set(kFloats, 1.0f);
     Floats count = hn::Load(kFloats, packet.count);
     const Floats first = hn::Load(kFloats, packet.first);
     const Floats bound = hn::Set(kFloats, end) - first;
     Floats sample = hn::Load(kFloats, packet.sample);
-    const auto placeAfter = [&](float samples) HWY_ATTR {
-        const Floats number = sample + hn::Set(kFloats, samples);
-        return grid.place(hn::MulAdd(number, step[0], start[0]), hn::MulAdd(number, step[1], start[1]),
-                          hn::MulAdd(number, step[2], start[2]));
-    };
     while (!hn::AllFalse(kFloats, sample < hn::Min(count, bound))) {
         if (leaping) {
             Ints place[3];
-            for (int axis = 0; axis < 3; ++axis)
-                place[axis] = toNearest(hn::MulAdd(sample, step[axis], start[axis]));
+            lines.placesOf(sample, place);
             Mask occupied;
             const auto active = sample < count;
             sample = sample + leaps.leap(place, blend, occupied);
             if (hn::AllFalse(kFloats, hn::And(active, occupied))) continue;
         }
         // All samples of a run before all of their fragments: the more reads are under way at a time.
-        Place at[kRun];
-        Floats raw[kRun];
-        for (int i = 0; i < kRun; ++i) {
-            prefetch<Sampler>(job, placeAfter(kSlab + static_cast<float>(i)));
-            at[i] = placeAfter(static_cast<float>(i));
-            raw[i] = sampler.value(at[i], Sampler::kChannels - 1);
+        Run<Sampler> run;
+        take(ahead, grid, sampler, lines, sample, run);
+        if (addsNothing<Blend>(run, shade)) {
+            sample = sample + hn::Set(kFloats, static_cast<float>(kRun));
+            continue;
         }
+#pragma GCC unroll 4
         for (int i = 0; i < kRun; ++i, sample = sample + one)
-            blend.add(Fragments<Sampler, Shade>(sampler, shade, at[i], raw[i]), sample < count);
+            blend.add(Fragments<Sampler, Shade>(sampler, shade, run.at.of(i), run.raw[i]), sample < count);
         count = blend.left(count);
     }
     blend.keep(packet);
