@@ -1,5 +1,6 @@
 #include "draw/read_depths.h"
 
+#include "draw/depth_format.h"
 #include "draw/scoped_state.h"
 
 #include <cstddef>
@@ -16,25 +17,6 @@ GLint integer(const GladGLContext& gl, GLenum name)
     return value;
 }
 
-GLint ofAttachment(const GladGLContext& gl, GLenum attachment, GLenum name)
-{
-    GLint value = 0;
-    gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-    return value;
-}
-
-/// Depths are copied between buffers of one format alone.
-GLenum depthFormat(const GladGLContext& gl)
-{
-    const bool isFloat =
-        ofAttachment(gl, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-    const GLint bits = ofAttachment(gl, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    if (ofAttachment(gl, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0)
-        return isFloat ? GL_DEPTH32F_STENCIL8 : GL_DEPTH24_STENCIL8;
-    if (isFloat) return GL_DEPTH_COMPONENT32F;
-    return bits == 16 ? GL_DEPTH_COMPONENT16 : bits == 32 ? GL_DEPTH_COMPONENT32 : GL_DEPTH_COMPONENT24;
-}
-
 /// The framebuffer that is bound for drawing with one sample a pixel, bound for reading: pixels with several
 /// cannot be read.
 class OneSampleDepths
@@ -44,15 +26,14 @@ public:
         : gl_(gl), drawn_(integer(gl, GL_DRAW_FRAMEBUFFER_BINDING)),
           bound_(integer(gl, GL_RENDERBUFFER_BINDING)), scissor_(gl.IsEnabled(GL_SCISSOR_TEST))
     {
-        const GLenum format = depthFormat(gl);
-        const bool withStencil = format == GL_DEPTH32F_STENCIL8 || format == GL_DEPTH24_STENCIL8;
+        const GLenum format = depthFormatOf(depthBitsOf(gl), true);
         gl.GenFramebuffers(1, &framebuffer_);
         gl.GenRenderbuffers(1, &depths_);
         gl.BindRenderbuffer(GL_RENDERBUFFER, depths_);
         gl.RenderbufferStorage(GL_RENDERBUFFER, format, viewport[2], viewport[3]);
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_);
         gl.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER,
-                                   withStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                                   hasStencil(format) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                                    GL_RENDERBUFFER, depths_);
         gl.Disable(GL_SCISSOR_TEST);
         gl.BlitFramebuffer(viewport[0], viewport[1], viewport[0] + viewport[2], viewport[1] + viewport[3], 0,
@@ -91,9 +72,7 @@ void readRectangle(const GladGLContext& gl, const GLint rectangle[4], std::vecto
 
 bool hasDepthBuffer(const GladGLContext& gl)
 {
-    const bool isWindow = integer(gl, GL_DRAW_FRAMEBUFFER_BINDING) == 0;
-    return ofAttachment(gl, isWindow ? GL_DEPTH : GL_DEPTH_ATTACHMENT,
-                        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+    return depthBitsOf(gl).depth > 0;
 }
 
 void readDepths(const GladGLContext& gl, bool core, const GLint viewport[4], std::vector<float>& depths)

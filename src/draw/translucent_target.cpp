@@ -1,6 +1,7 @@
 #include "draw/translucent_target.h"
 
 #include "draw/blend_texture.h"
+#include "draw/depth_format.h"
 #include "draw/scoped_state.h"
 
 #include <array>
@@ -24,53 +25,11 @@ void forgetErrors(const GladGLContext& gl)
     }
 }
 
-/// Of the depths in the framebuffer that is bound for drawing.
-struct DepthBits
-{
-    GLint depth = 0, stencil = 0;
-    bool isFloat = false;
-};
-
-DepthBits depthBitsOf(const GladGLContext& gl)
-{
-    GLint framebuffer = 0;
-    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
-    const auto asked = [&](GLenum attachment, GLenum what) {
-        GLint answer = 0;
-        gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, what, &answer);
-        return answer;
-    };
-    const GLenum depth = framebuffer == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
-    const GLenum stencil = framebuffer == 0 ? GL_STENCIL : GL_DEPTH_ATTACHMENT;
-    constexpr GLenum kType = GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE;
-    DepthBits bits;
-    if (asked(depth, kType) != GL_NONE) {
-        bits.depth = asked(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-        bits.isFloat = asked(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
-        if (asked(stencil, kType) != GL_NONE)
-            bits.stencil = asked(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
-    }
-    forgetErrors(gl);
-    return bits;
-}
-
-/// The format of equal depths, so that what lies at the depth of an opaque surface is hidden there as well.
-/// Depths of several samples a pixel become those of one only where all bits are alike.
-GLenum formatOf(const DepthBits& bits, bool withStencil)
-{
-    const bool both = withStencil && bits.stencil > 0;
-    if (bits.isFloat) return both ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-    if (both) return GL_DEPTH24_STENCIL8;
-    return bits.depth == 16   ? GL_DEPTH_COMPONENT16
-           : bits.depth == 32 ? GL_DEPTH_COMPONENT32
-                              : GL_DEPTH_COMPONENT24;
-}
-
 void makeTexture(const GladGLContext& gl, GLenum format, int width, int height)
 {
     GLenum channels = GL_DEPTH_COMPONENT, type = GL_FLOAT;
     if (format == GL_RGBA32F) channels = GL_RGBA;
-    if (format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8) {
+    if (hasStencil(format)) {
         channels = GL_DEPTH_STENCIL;
         type = format == GL_DEPTH24_STENCIL8 ? GL_UNSIGNED_INT_24_8 : GL_FLOAT_32_UNSIGNED_INT_24_8_REV;
     }
@@ -157,7 +116,8 @@ bool TranslucentTarget::begin(int width, int height)
     gl.GetBooleanv(GL_COLOR_WRITEMASK, caller.mask);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const DepthBits bits = depthBitsOf(gl);
-    const GLenum format = formatOf(bits, isMultisampled(gl));
+    const GLenum format = depthFormatOf(bits, isMultisampled(gl));
+    forgetErrors(gl);
     if (width != width_ || height != height_ || format != depthFormat_) makeTarget(width, height, format);
     const bool known = bits.depth != 0 && copyDepths();
     forgetErrors(gl);
