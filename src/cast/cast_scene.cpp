@@ -255,8 +255,9 @@ struct SceneCaster::Private
     {
         const auto chains = static_cast<int>(styled.chains.size());
         for (const auto& kept : segments)
-            if (kept->isOf(padded, *styled.segments, chains)) return kept;
-        return std::make_shared<SegmentBlocks>(padded, *styled.segments, chains, threads);
+            if (kept->isOf(padded.blocks(), padded.size(), *styled.segments, chains)) return kept;
+        return std::make_shared<SegmentBlocks>(padded.blocks(), padded.size(), *styled.segments, chains,
+                                               threads);
     }
 };
 

@@ -42,10 +42,7 @@ void CastVolume::findClear(std::span<const std::uint64_t> chainsIn)
     if (one && samples) clear = ClearValues(plans);
     if (styled->tetras || voxels->blocks().ranges.empty()) return;
     if (samples) {
-        std::vector<ClearValues> ofChains;
-        for (const ChainPlan& plan : plans)
-            ofChains.push_back(one ? ClearValues({&plan, 1}) : ClearValues::ofOpacities(plan));
-        blocks = ClearBlocks(voxels->blocks(), ofChains, chainsIn);
+        blocks = ClearBlocks(voxels->blocks(), clearValuesOf(plans, styled->voxels->components), chainsIn);
     } else if (styled->surfaces) {
         if (one) blocks = ClearBlocks(voxels->blocks(), *styled->surfaces);
     } else if (one && projectsVoxels()) {

@@ -1,6 +1,7 @@
 #include "cast/clear_blocks.h"
 
 #include "cast/empty_blocks.h"
+#include "cast/segment_blocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +35,14 @@ ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, const ClearValues& clear)
 ClearBlocks::ClearBlocks(const VoxelBlocks& blocks, std::span<const ClearValues> chains,
                          std::span<const std::uint64_t> chainsIn)
 {
+    const std::size_t groups = std::min(chains.size(), SegmentBlocks::kGroups);
+    std::vector<ClearValues> clearIn(chains.begin(), chains.begin() + static_cast<std::ptrdiff_t>(groups));
+    for (std::size_t chain = groups; chain < chains.size(); ++chain)
+        clearIn[chain % groups].keepCommon(chains[chain]);
     mark(blocks, [&](std::size_t block, float low, float high) {
         const std::uint64_t there = chainsIn.empty() ? ~std::uint64_t{0} : chainsIn[block];
-        for (std::size_t chain = 0; chain < chains.size(); ++chain)
-            if ((there >> std::min<std::size_t>(chain, 63) & 1u) != 0 && !chains[chain].hasAll(low, high))
-                return false;
+        for (std::size_t group = 0; group < groups; ++group)
+            if ((there >> group & 1u) != 0 && !clearIn[group].hasAll(low, high)) return false;
         return true;
     });
 }

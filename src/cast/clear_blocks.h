@@ -21,7 +21,7 @@ public:
     /// Where all values are clear.
     ClearBlocks(const VoxelBlocks& blocks, const ClearValues& clear);
     /// Where none of the chains that are there (SegmentBlocks::chainsIn(); or nothing: all) makes anything
-    /// that is seen: `chains` are the clear values of each.
+    /// that is seen: `chains` are the clear values of each, at least one.
     ClearBlocks(const VoxelBlocks& blocks, std::span<const ClearValues> chains,
                 std::span<const std::uint64_t> chainsIn);
     /// Where no sample but the first of a ray changes a projection: all have the value that is chosen last,

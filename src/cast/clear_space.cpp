@@ -4,12 +4,14 @@
 
 namespace vo {
 
-ClearBlocks clearBlocksOf(const StyledVolume& volume, const VoxelBlocks& blocks)
+ClearBlocks clearBlocksOf(const StyledVolume& volume, const VoxelBlocks& blocks,
+                          std::span<const std::uint64_t> chainsIn)
 {
+    const int components = volume.voxels->components;
     if (blocks.ranges.empty()) return {};
-    if (volume.surfaces) return ClearBlocks(blocks, *volume.surfaces);
+    if (volume.surfaces) return components == 1 ? ClearBlocks(blocks, *volume.surfaces) : ClearBlocks();
     const std::vector<ChainPlan> plans(volume.chains.begin(), volume.chains.end());
-    return ClearBlocks(blocks, ClearValues(plans));
+    return ClearBlocks(blocks, clearValuesOf(plans, components), chainsIn);
 }
 
 } // namespace vo

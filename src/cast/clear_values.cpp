@@ -47,4 +47,21 @@ ClearValues ClearValues::ofOpacities(const ChainPlan& plan)
     return clear;
 }
 
+void ClearValues::keepCommon(const ClearValues& other)
+{
+    const auto before = seen_;
+    for (std::size_t s = 0; s + 1 < seen_.size(); ++s) {
+        const bool isSeen = before[s + 1] != before[s] || other.seen_[s + 1] != other.seen_[s];
+        seen_[s + 1] = static_cast<std::uint16_t>(seen_[s] + (isSeen ? 1 : 0));
+    }
+}
+
+std::vector<ClearValues> clearValuesOf(std::span<const ChainPlan> plans, int components)
+{
+    std::vector<ClearValues> ofChains;
+    for (const ChainPlan& plan : plans)
+        ofChains.push_back(components == 1 ? ClearValues({&plan, 1}) : ClearValues::ofOpacities(plan));
+    return ofChains;
+}
+
 } // namespace vo

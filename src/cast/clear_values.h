@@ -21,6 +21,9 @@ public:
     /// Of voxels of several components, by their opacity as firstColor() says.
     static ClearValues ofOpacities(const ChainPlan& plan);
 
+    /// Leaves those that are clear for the other, too.
+    void keepCommon(const ClearValues& other);
+
     bool empty() const { return seen_[kSteps + 2] == kSteps + 2; }
     bool has(float value) const { return hasSteps(stepOf(value), stepOf(value)); }
     bool hasAll(float low, float high) const { return hasSteps(stepOf(low), stepOf(high)); }
@@ -42,5 +45,8 @@ private:
     /// How many steps before each may be seen.
     std::array<std::uint16_t, kSteps + 3> seen_ = nothingKnown();
 };
+
+/// Of each chain alone, for voxels of so many components.
+std::vector<ClearValues> clearValuesOf(std::span<const ChainPlan> plans, int components);
 
 } // namespace vo

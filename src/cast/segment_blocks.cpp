@@ -27,35 +27,37 @@ TexelRange texelsNear(int block, int voxels, int texels)
 
 } // namespace
 
-SegmentBlocks::SegmentBlocks(const PaddedVoxels& voxels, const Segments& segments, int chains, int threads)
-    : segments_(segments), blockCount_(voxels.blocks().count), size_(voxels.size()), chains_(chains)
+SegmentBlocks::SegmentBlocks(const VoxelBlocks& blocks, const VoxelSize& size, const Segments& segments,
+                             int chains, int threads)
+    : segments_(segments), blockCount_(blocks.count), size_(size), chains_(chains)
 {
     if (segments.identifiers->repeats != std::array{false, false, false}) return;
-    masks_.resize(voxels.blocks().ranges.size());
+    masks_.resize(blocks.ranges.size());
     const auto across = static_cast<std::size_t>(blockCount_.x),
                rows = static_cast<std::size_t>(blockCount_.y);
     if (masks_.empty()) return;
     parallelFor(static_cast<std::size_t>(blockCount_.z), threads, [&](std::size_t z) {
         for (std::size_t y = 0; y < rows; ++y)
             for (std::size_t x = 0; x < across; ++x)
-                masks_[(z * rows + y) * across + x] = maskIn(voxels, glm::ivec3(x, y, z));
+                masks_[(z * rows + y) * across + x] = maskIn(glm::ivec3(x, y, z));
     });
 }
 
-bool SegmentBlocks::isOf(const PaddedVoxels& voxels, const Segments& segments, int chains) const
+bool SegmentBlocks::isOf(const VoxelBlocks& blocks, const VoxelSize& size, const Segments& segments,
+                         int chains) const
 {
     return segments_.identifiers->serial == segments.identifiers->serial &&
            segments_.component == segments.component && segments_.scale == segments.scale &&
            segments_.chainOf == segments.chainOf && segments_.beyond == segments.beyond &&
-           chains_ == chains && blockCount_ == voxels.blocks().count && size_ == voxels.size();
+           chains_ == chains && blockCount_ == blocks.count && size_ == size;
 }
 
-std::uint64_t SegmentBlocks::maskIn(const PaddedVoxels& voxels, const glm::ivec3& block) const
+std::uint64_t SegmentBlocks::maskIn(const glm::ivec3& block) const
 {
     const VoxelSize& size = segments_.identifiers->size;
     TexelRange near[3];
     for (int axis = 0; axis < 3; ++axis)
-        near[axis] = texelsNear(block[axis], voxels.size()[axis], size[axis]);
+        near[axis] = texelsNear(block[axis], size_[axis], size[axis]);
     std::uint64_t mask = 0;
     for (int z = near[2].first; z <= near[2].last; ++z)
         for (int y = near[1].first; y <= near[1].last; ++y)
@@ -65,7 +67,7 @@ std::uint64_t SegmentBlocks::maskIn(const PaddedVoxels& voxels, const glm::ivec3
                                               static_cast<std::size_t>(size.x) +
                                           static_cast<std::size_t>(x);
                 const int chain = chainOfTexel(segments_, texel, chains_);
-                if (chain >= 0) mask |= std::uint64_t{1} << std::min(chain, 63);
+                if (chain >= 0) mask |= std::uint64_t{1} << static_cast<std::size_t>(chain) % kGroups;
             }
     return mask;
 }

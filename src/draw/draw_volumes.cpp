@@ -4,6 +4,8 @@
 #include "core/invertible.h"
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
+#include "style/styled_voxels.h"
+#include "style/texel_list.h"
 
 #include <glm/matrix.hpp>
 
@@ -15,8 +17,6 @@
 namespace vo {
 
 namespace {
-
-constexpr int kTableWidth = 1024;
 
 /// A new texture, unless it is the same.
 void replaceTexels(VoxelTexture& texture, TexelKind kind, const VoxelSize& size,
@@ -37,16 +37,31 @@ VolumeWay wayOf(const StyledVolume& volume, bool alone)
     return alone && !volume.tetras ? VolumeWay::rays : VolumeWay::slices;
 }
 
-/// chainOf as texels, in rows.
-void fillChainTable(const std::vector<int>& chainOf, VoxelTexture& table)
+/// -1 where there is no such chain.
+int chainNumber(int chain, const std::vector<int>& numberOf)
 {
-    const int count = std::max(static_cast<int>(chainOf.size()), 1);
-    const VoxelSize size{std::min(count, kTableWidth), (count + kTableWidth - 1) / kTableWidth, 1};
-    std::vector<float> values(size.count(), 0.0f);
-    std::ranges::transform(chainOf, values.begin(), [](int chain) { return static_cast<float>(chain); });
-    std::vector<std::byte> texels(values.size() * sizeof(float));
-    std::memcpy(texels.data(), values.data(), texels.size());
-    replaceTexels(table, TexelKind::float32, size, std::move(texels));
+    const bool isThere = chain >= 0 && static_cast<std::size_t>(chain) < numberOf.size();
+    return isThere ? numberOf[static_cast<std::size_t>(chain)] : -1;
+}
+
+/// A list (style/texel_list.h) of floats, or of vectors of them.
+template <class Number>
+void replaceList(VoxelTexture& texture, std::span<const Number> numbers)
+{
+    const VoxelSize size = listSize(numbers.size());
+    std::vector<std::byte> texels(size.count() * sizeof(Number));
+    std::memcpy(texels.data(), numbers.data(), numbers.size_bytes());
+    texture.components = sizeof(Number) / sizeof(float);
+    replaceTexels(texture, TexelKind::float32, size, std::move(texels));
+}
+
+/// The chains of segments as programs number them.
+std::vector<float> chainNumbers(const Segments& segments, const std::vector<int>& numberOf)
+{
+    std::vector<float> numbers;
+    for (const int chain : segments.chainOf)
+        numbers.push_back(static_cast<float>(chainNumber(chain, numberOf)));
+    return numbers;
 }
 
 } // namespace
@@ -80,16 +95,40 @@ void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, 
     leaps_ = way_ == VolumeWay::rays && findClearBlocks();
     texts_ = volumeProgram(volume, {way_, leaps_, isMerged_});
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
+    fillChainTextures();
     if (takesRays())
         arrays_.sendPictureTriangle();
     else
         sendSlices();
 }
 
+void DrawnVolume::fillChainTextures()
+{
+    replaceList(chainRows_, std::span<const glm::vec4>(texts_.chainRows));
+    const auto& tables = texts_.chains.tableStack();
+    std::vector<std::uint64_t> serials = tables ? tables->serials() : std::vector<std::uint64_t>();
+    if (serials == tablesStacked_) return;
+    if (tables && tables->size().z > resources_.context.most3dTexels)
+        throw std::runtime_error("the transfer functions of a volume's styles fill " +
+                                 sizeText(tables->size()) + " texels: this driver takes " +
+                                 std::to_string(resources_.context.most3dTexels) + " on an axis");
+    stackedTables_ = serials.empty() ? VoxelTexture() : tables->texture();
+    tablesStacked_ = std::move(serials);
+}
+
 bool DrawnVolume::findClearBlocks()
 {
-    if (volume_->voxels->components != 1) return false;
-    const ClearBlocks clear = clearBlocksOf(*volume_, resources_.textures.blocks(*volume_->voxels));
+    if (!isSound(*volume_)) return false;
+    const VoxelTexture& voxels = *volume_->voxels;
+    const VoxelBlocks& blocks = resources_.textures.blocks(voxels);
+    std::span<const std::uint64_t> chainsIn;
+    if (volume_->segments && !volume_->surfaces) {
+        const auto chains = static_cast<int>(volume_->chains.size());
+        if (!segmentBlocks_ || !segmentBlocks_->isOf(blocks, voxels.size, *volume_->segments, chains))
+            segmentBlocks_.emplace(blocks, voxels.size, *volume_->segments, chains, 0);
+        chainsIn = segmentBlocks_->chainsIn();
+    }
+    const ClearBlocks clear = clearBlocksOf(*volume_, blocks, chainsIn);
     if (clear.empty()) return false;
     const VoxelSize size{clear.count().x, clear.count().y, clear.count().z};
     std::vector<std::byte> texels(size.count());
@@ -113,8 +152,9 @@ void DrawnVolume::sendSlices()
 void DrawnVolume::bindTextures(const TranslucentTarget& target)
 {
     const auto& textures = texts_.chains.textures();
+    const bool hasRows = !texts_.chainRows.empty(), hasTables = !stackedTables_.texels.empty();
     const int units = 1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) +
-                      (takesRays() ? 1 : 0) + (leaps_ ? 1 : 0);
+                      (takesRays() ? 1 : 0) + (leaps_ ? 1 : 0) + (hasRows ? 1 : 0) + (hasTables ? 1 : 0);
     if (units > resources_.context.mostUnits)
         throw std::runtime_error("a volume reads " + std::to_string(units) + " textures, this driver takes " +
                                  std::to_string(resources_.context.mostUnits));
@@ -133,19 +173,29 @@ void DrawnVolume::bindTextures(const TranslucentTarget& target)
         resources_.textures.bind(unit, clearBlocks_);
         program_->set("clearBlocks", unit++);
     }
+    if (hasRows) {
+        resources_.textures.bind(unit, chainRows_);
+        program_->set("chainNumbers", unit++);
+    }
+    if (hasTables) {
+        resources_.textures.bind(unit, stackedTables_);
+        program_->set("stackedTables", unit++);
+    }
     if (volume_->segments) bindSegments(*volume_->segments, unit);
 }
 
 void DrawnVolume::bindSegments(const Segments& segments, int unit)
 {
-    fillChainTable(segments.chainOf, chainTable_);
+    const std::vector<int>& numberOf = texts_.chainNumberOf;
+    const std::vector<float> numbers = chainNumbers(segments, numberOf);
+    replaceList(chainTable_, std::span<const float>(numbers));
     resources_.textures.bind(unit, *segments.identifiers);
     resources_.textures.bind(unit + 1, chainTable_);
     program_->set("identifiers", unit);
     program_->set("chainTable", unit + 1);
     program_->set("identifierScale", segments.scale);
     program_->set("chainsGiven", static_cast<int>(segments.chainOf.size()));
-    program_->set("chainBeyond", segments.beyond);
+    program_->set("chainBeyond", chainNumber(segments.beyond, numberOf));
 }
 
 void DrawnVolume::setView(SceneProgram& program) const

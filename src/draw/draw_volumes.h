@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cast/segment_blocks.h"
 #include "draw/join_planes.h"
 #include "draw/merge_projections.h"
 #include "draw/scene_resources.h"
@@ -9,6 +10,7 @@
 #include "style/styled_scene.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vo {
@@ -39,6 +41,7 @@ public:
 private:
     bool isJoined() const { return way_ == VolumeWay::planeSamples; }
     bool takesRays() const { return way_ == VolumeWay::rays || way_ == VolumeWay::projectedRays; }
+    void fillChainTextures();
     bool findClearBlocks();
     void sendSlices();
     void useProgram(const TranslucentTarget& target);
@@ -56,7 +59,9 @@ private:
     VolumeWay way_ = VolumeWay::slices;
     VolumeLayers planes_; ///< of samples that are joined
     std::unique_ptr<PlaneJoiner> joiner_;
-    VoxelTexture chainTable_, clearBlocks_;
+    std::optional<SegmentBlocks> segmentBlocks_;
+    VoxelTexture chainTable_, chainRows_, stackedTables_, clearBlocks_;
+    std::vector<std::uint64_t> tablesStacked_; ///< their serial numbers
     bool leaps_ = false, isMerged_ = false;
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;

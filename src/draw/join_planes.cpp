@@ -17,14 +17,6 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20;
 /// Stands where a layer has no sample.
 constexpr float kNothing = -3e38f;
 
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 corner;
-void main()
-{
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
-
 constexpr const char* kStateFunctions = R"(
 uniform sampler2D values, counts;
 Joined joinedSoFar()
@@ -76,10 +68,11 @@ void main()
 
 SceneProgram& programOf(ScenePrograms& programs, const RayProjection& projection, const char* mainFunction)
 {
-    return programs.find(kVertexShader, "#version 330 core\n#define MOST_LAYERS " +
-                                            std::to_string(kMostLayers) + "\n#define TYPE " +
-                                            std::to_string(static_cast<int>(projection.type)) + "\n" +
-                                            kJoinFunctions + kStateFunctions + mainFunction);
+    const std::string version = "#version 330 core\n";
+    return programs.find(version + kPictureVertexShader,
+                         version + "#define MOST_LAYERS " + std::to_string(kMostLayers) + "\n#define TYPE " +
+                             std::to_string(static_cast<int>(projection.type)) + "\n" + kJoinFunctions +
+                             kStateFunctions + mainFunction);
 }
 
 void filterNone(const GladGLContext& gl, GLenum target)

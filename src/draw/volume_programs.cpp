@@ -4,6 +4,7 @@
 #include "draw/scene_programs.h"
 #include "draw/volume_shaders.h"
 #include "style/surface_normals.h"
+#include "style/texel_list.h"
 
 #include <algorithm>
 #include <array>
@@ -36,29 +37,6 @@ bool keepsClear(std::span<const StyleChain> chains)
     });
 }
 
-/// Writes `vec4 withoutNormals(int chain, vec4 color, StyleSample s)` for the styles at the front of chains,
-/// withNormals for those from the first on that reads one, and chainOf for both.
-std::string writeChains(GlslChain& glsl, std::span<const StyleChain> chains)
-{
-    constexpr const char* kParameters = "(int chain, vec4 color, StyleSample s)\n{\n";
-    std::string without = std::string("vec4 withoutNormals") + kParameters;
-    std::string with = std::string("vec4 withNormals") + kParameters;
-    for (std::size_t i = 0; i < chains.size(); ++i) {
-        const auto writePart = [&](auto from, auto to, const std::string& name, std::string& choice) {
-            std::for_each(from, to, [&glsl](const auto& style) { style->write(glsl); });
-            glsl.endFunction(name);
-            choice += "    if (chain == " + std::to_string(i) + ") return " + name + "(color, s);\n";
-        };
-        const std::string number = std::to_string(i);
-        const auto middle = chains[i].begin() + countWithoutNormals(chains[i]);
-        writePart(chains[i].begin(), middle, "front" + number, without);
-        writePart(middle, chains[i].end(), "rest" + number, with);
-    }
-    constexpr const char* kEnd = "    return color;\n}\n";
-    return without + kEnd + with + kEnd + "vec4 chainOf" + kParameters +
-           "    return withNormals(chain, withoutNormals(chain, color, s), s);\n}\n";
-}
-
 /// `int chainAt(vec3 place)`: which chain a place has, or -1.
 std::string chainAtText(const StyledVolume& volume)
 {
@@ -69,27 +47,44 @@ uniform float identifierScale;
 uniform int chainsGiven, chainBeyond;
 int chainAt(vec3 place)
 {
-    ivec3 size = textureSize(identifiers, 0), width = textureSize(chainTable, 0);
+    ivec3 size = textureSize(identifiers, 0);
     ivec3 texel = clamp(ivec3(floor(place * vec3(size))), ivec3(0), size - 1);
     int id = int(texelFetch(identifiers, texel, 0)[)" +
            std::to_string(volume.segments->component) + R"(] * identifierScale + 0.5);
-    if (id >= chainsGiven) return chainBeyond;
-    return int(floor(texelFetch(chainTable, ivec3(id % width.x, id / width.x, 0), 0).r + 0.5));
+    if (id < 0 || id >= chainsGiven) return chainBeyond;
+    return int(floor(texelFetch(chainTable, listPlace(id), 0).r + 0.5));
 }
 )";
 }
 
-/// `float opacityOf(int chain, vec4 color, StyleSample s)`: of a projected sample.
-std::string opacityOfText(const StyledVolume& volume)
+/// `float opacityOf(int chain, vec4 color, StyleSample s)`: of a projected sample. Chains without styles are
+/// of one kind, so that their numbers follow each other.
+std::string opacityOfText(const StyledVolume& volume, const std::vector<int>& numberOf)
 {
     constexpr std::array kVoxelOpacities{"1.0", "s.voxel.g", "1.0", "s.voxel.a"};
     const std::string ofVoxel = kVoxelOpacities.at(static_cast<std::size_t>(volume.voxels->components) - 1);
     std::string text = "float opacityOf(int chain, vec4 color, StyleSample s)\n{\n";
-    for (std::size_t i = 0; i < volume.chains.size(); ++i)
-        if (volume.chains[i].empty())
-            text += "    if (chain == " + std::to_string(i) + ") return " + ofVoxel + ";\n";
+    const auto isEmpty = [](const StyleChain& chain) { return chain.empty(); };
+    if (const auto first = std::ranges::find_if(volume.chains, isEmpty); first != volume.chains.end()) {
+        const int begin = numberOf[static_cast<std::size_t>(first - volume.chains.begin())];
+        const auto count = std::ranges::count_if(volume.chains, isEmpty);
+        text += "    if (chain >= " + std::to_string(begin) + " && chain < " + std::to_string(begin + count) +
+                ") return " + ofVoxel + ";\n";
+    }
     return text + "    return color.a;\n}\n";
 }
+
+/// `int chainOfSurface[]`.
+std::string surfaceChainsText(const IsoSurfaces& surfaces, const std::vector<int>& numberOf)
+{
+    std::string numbers;
+    for (std::size_t i = 0; i < surfaces.values.size(); ++i)
+        numbers += (i == 0 ? "" : ", ") + std::to_string(numberOf[std::min(i, numberOf.size() - 1)]);
+    return "const int chainOfSurface[SURFACES] = int[SURFACES](" + numbers + ");\n";
+}
+
+// Of those that do not use it, the driver knows nothing.
+constexpr const char* kChainTextures = "uniform sampler3D chainNumbers, stackedTables;\n";
 
 std::string define(const std::string& what)
 {
@@ -107,20 +102,21 @@ bool takesWholeRays(VolumeWay way)
 }
 
 /// The functions and the main function that a way needs, after those of the chains.
-std::string mainText(const StyledVolume& volume, VolumeWay way)
+std::string mainText(const StyledVolume& volume, VolumeWay way, const std::vector<int>& numberOf)
 {
     const std::string chainAt = chainAtText(volume);
+    const std::string surfaces =
+        volume.surfaces ? surfaceChainsText(*volume.surfaces, numberOf) + kSurfaceFunctions : "";
+    const std::string projected =
+        isProjected(volume) ? chainAt + opacityOfText(volume, numberOf) + kProjectedSample : "";
     switch (way) {
-    case VolumeWay::slices:
-        return volume.surfaces ? std::string(kSurfaceFunctions) + kSurfacesMain : chainAt + kSamplesMain;
+    case VolumeWay::slices: return volume.surfaces ? surfaces + kSurfacesMain : chainAt + kSamplesMain;
     case VolumeWay::rays: break;
-    case VolumeWay::projectedRays:
-        return kRayFunctions + chainAt + opacityOfText(volume) + kJoinFunctions + kProjectionMain;
-    case VolumeWay::planeSamples: return chainAt + opacityOfText(volume) + kPlaneSamplesMain;
+    case VolumeWay::projectedRays: return kRayFunctions + projected + kJoinFunctions + kProjectionMain;
+    case VolumeWay::planeSamples: return projected + kPlaneSamplesMain;
     }
-    const std::string walk = std::string(kRayFunctions) + kLeapFunctions;
-    return volume.surfaces ? walk + kSurfaceFunctions + kMarchedSurfacesMain
-                           : walk + chainAt + kMarchedSamplesMain;
+    const std::string walk = std::string(kRayFunctions) + kWalkFunctions;
+    return volume.surfaces ? walk + surfaces + kMarchedSurfacesMain : walk + chainAt + kMarchedSamplesMain;
 }
 
 /// Of what the main functions ask about.
@@ -158,18 +154,22 @@ VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& re
         definitions + (takesWholeRays(request.way) ? kPictureVertexShader : kSliceVertexShader);
     const std::string components = std::to_string(volume.voxels->components);
     definitions += wayDefinitions(volume, request) + define("COMPONENTS " + components) +
-                   define("firstColor firstColor" + components) + define("CHAINS", chains.size());
+                   define("firstColor firstColor" + components);
     if (surfaces) definitions += define("SURFACES", volume.surfaces->values.size());
     if (surfaces || needsNormal(chains)) definitions += define("NEEDS_NORMAL");
     if (keepsClear(chains)) definitions += define("KEEPS_CLEAR");
-    const std::string choice = writeChains(program.chains, chains);
+    if (chains.size() > 1) program.chains = GlslChain(std::make_shared<TableStack>());
+    ChainFunctions functions = writeChains(program.chains, chains);
     if (surfaces)
         definitions +=
             define("SURFACE_NORMAL " + SurfaceNormals(volume.surfaces->gradients).write(program.chains));
     program.fragmentText = definitions + lightDeclarations(volume.surroundings.lights.size()) +
                            clipPlaneDeclarations(volume.clipPlanes.size()) + kStylePreamble +
-                           kFirstColorGlsl + program.chains.declarations() + program.chains.functions() +
-                           choice + kSampleFunctions + mainText(volume, request.way);
+                           kFirstColorGlsl + kListPlaceGlsl + kChainTextures + program.chains.declarations() +
+                           program.chains.functions() + functions.text + kSampleFunctions +
+                           mainText(volume, request.way, functions.numberOf);
+    program.chainNumberOf = std::move(functions.numberOf);
+    program.chainRows = std::move(functions.rows);
     return program;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "draw/chain_functions.h"
 #include "style/glsl_chain.h"
 #include "style/styled_scene.h"
 
@@ -16,6 +17,8 @@ struct VolumeProgram
 {
     std::string vertexText, fragmentText;
     GlslChain chains;
+    std::vector<int> chainNumberOf;   ///< ChainFunctions::numberOf
+    std::vector<glm::vec4> chainRows; ///< ChainFunctions::rows
 };
 
 /// Whether all samples of a ray become one colour.

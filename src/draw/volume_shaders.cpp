@@ -110,6 +110,13 @@ vec3 stepFrom(vec3 local)
     if (viewer.w <= 0.0) return spacing * viewer.xyz;
     return (spacing / dot(depthRow, vec4(local, 1.0))) * (local - viewer.xyz);
 }
+
+// What a sample shows that counts for so many units of length.
+vec4 fragmentOf(vec4 color, float units)
+{
+    float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
+    return vec4(alpha * color.rgb, alpha);
+}
 )";
 
 // Discarding early saves time even where both sides of a branch are run.
@@ -126,9 +133,7 @@ void main()
 #endif
     setNormal(s);
     color = withNormals(chain, color, s);
-    float units = length(stepFrom(position)) / unitLength;
-    float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
-    fragment = vec4(alpha * color.rgb, alpha);
+    fragment = fragmentOf(color, length(stepFrom(position)) / unitLength);
 }
 )";
 
@@ -136,13 +141,31 @@ const char* const kSurfaceFunctions = R"(
 uniform float surfaceValues[SURFACES];
 uniform float surfaceTolerance;
 
+bool crosses(float value, float here, float there)
+{
+    return (here < value) != (there < value);
+}
+
+bool crossesAny(float here, float there)
+{
+    for (int i = 0; i < SURFACES; ++i)
+        if (crosses(surfaceValues[i], here, there)) return true;
+    return false;
+}
+
+// The surface that is the i-th on the way.
+int surfaceOnWay(int i, float here, float there)
+{
+    return here < there ? i : SURFACES - 1 - i;
+}
+
 // Behind what is in the fragment already. False: there is none.
 bool addSurface(int number, vec3 at, vec3 local)
 {
     StyleSample s = sampleAt(at, local);
     if (s.gradient < surfaceTolerance) return false;
     s.n = SURFACE_NORMAL;
-    vec4 color = chainOf(min(number, CHAINS - 1), firstColor(s.voxel), s);
+    vec4 color = chainOf(chainOfSurface[number], firstColor(s.voxel), s);
     float alpha = clamp(color.a, 0.0, 1.0);
     fragment += (1.0 - fragment.a) * vec4(alpha * color.rgb, alpha);
     return true;
@@ -160,16 +183,13 @@ void main()
     if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
     if (isClipped(vec4(position, 1.0)) || isClipped(vec4(position + way, 1.0))) discard;
     float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
-    bool crosses = false;
-    for (int i = 0; i < SURFACES; ++i)
-        crosses = crosses || (here < surfaceValues[i]) != (there < surfaceValues[i]);
-    if (!crosses) discard;
+    if (!crossesAny(here, there)) discard;
     fragment = vec4(0.0);
     float nearest = 1.0;
     for (int i = 0; i < SURFACES; ++i) {
-        int number = here < there ? i : SURFACES - 1 - i;
+        int number = surfaceOnWay(i, here, there);
         float value = surfaceValues[number];
-        if ((here < value) == (there < value)) continue;
+        if (!crosses(value, here, there)) continue;
         float at = (value - here) / (there - here);
         if (at < part.x || at >= part.y) continue;
         bool isFirst = fragment.a == 0.0;
@@ -250,14 +270,30 @@ float lastBefore(float depth)
 }
 )";
 
-// Blocks of voxels in which nothing is seen are leapt over: `clearBlocks` says how many blocks it is at least
-// to the next one that is not. A place in cells, and how far in it.
-const char* const kLeapFunctions = R"(
+// Planes of a ray, one after the other. Blocks of voxels in which nothing is seen are leapt over:
+// `clearBlocks` says how many blocks it is at least to the next one that is not.
+const char* const kWalkFunctions = R"(
+const float kOpaque = 1.0 - 1.0 / 4096.0;
+const float kSamplesAtOnce = 8.0;
+
+// Where plane 0 is met, and how far it is to the next: local, as a place in the volume, and in cells.
+struct Walk {
+    vec3 local, localStep, place, placeStep, cell, cellStep;
+};
+
+Walk walkOf(vec3 origin, vec3 way)
+{
+    vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
+    vec3 placeStep = localStep / dimensions, place = local / dimensions + 0.5;
+    return Walk(local, localStep, place, placeStep, place * voxelCount + CELL_SHIFT, placeStep * voxelCount);
+}
+
 #ifdef LEAPS
 uniform sampler3D clearBlocks;
 
-float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
+float leapFrom(float k, float last, Walk walk)
 {
+    vec3 cell = walk.cell, cellStep = walk.cellStep;
     vec3 side = sign(cellStep), perCell = 1.0 / mix(cellStep, vec3(1e-9), lessThan(abs(cellStep), vec3(1e-9)));
     while (k < last) {
         vec3 here = cell + k * cellStep;
@@ -273,7 +309,7 @@ float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
     return k;
 }
 #else
-float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
+float leapFrom(float k, float last, Walk walk)
 {
     return k;
 }
@@ -284,9 +320,6 @@ float leapFrom(float k, float last, vec3 cell, vec3 cellStep)
 // is a loop of its own: pixels that are drawn together wait for each other there, and are then shaded
 // together.
 const char* const kMarchedSamplesMain = R"(
-const float kOpaque = 1.0 - 1.0 / 4096.0;
-const float kSamplesAtOnce = 8.0;
-
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
@@ -294,22 +327,20 @@ void main()
     float last = min(planes.y, lastBefore(opaqueDepth()));
     if (planes.x > last) discard;
     float units = length(way) * spacing / unitLength;
-    vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
-    vec3 step = localStep / dimensions, begin = local / dimensions + 0.5;
-    vec3 cellStep = step * voxelCount, cell = begin * voxelCount + CELL_SHIFT;
-    StyleSample s = sampleWithoutNormal(vec3(0.0), local);
+    Walk walk = walkOf(origin, way);
+    StyleSample s = sampleWithoutNormal(vec3(0.0), walk.local);
     s.V = -normalize(way);
     fragment = vec4(0.0);
     vec4 color = vec4(0.0);
     int chain = 0;
     float k = planes.x;
     while (k <= last && fragment.a < kOpaque) {
-        k = leapFrom(k, last, cell, cellStep);
+        k = leapFrom(k, last, walk);
         float until = min(k + kSamplesAtOnce, last + 1.0);
         bool seen = false;
         while (k < until) {
-            s.place = begin + k * step;
-            s.position = local + k * localStep;
+            s.place = walk.place + k * walk.placeStep;
+            s.position = walk.local + k * walk.localStep;
             s.voxel = textureLod(voxels, s.place, 0.0);
             chain = chainAt(s.place);
             color = chain < 0 ? vec4(0.0) : withoutNormals(chain, firstColor(s.voxel), s);
@@ -326,8 +357,7 @@ void main()
             s.gradient = 0.0;
             setNormal(s);
             color = withNormals(chain, color, s);
-            float alpha = 1.0 - pow(1.0 - clamp(color.a, 0.0, 1.0), units);
-            fragment += (1.0 - fragment.a) * vec4(alpha * color.rgb, alpha);
+            fragment += (1.0 - fragment.a) * fragmentOf(color, units);
         }
     }
     if (fragment.a <= 0.0) discard;
@@ -335,61 +365,57 @@ void main()
 )";
 
 const char* const kMarchedSurfacesMain = R"(
-const float kOpaque = 1.0 - 1.0 / 4096.0;
-const float kSamplesAtOnce = 8.0;
-
-bool crossedBetween(float here, float there)
-{
-    for (int i = 0; i < SURFACES; ++i)
-        if ((here < surfaceValues[i]) != (there < surfaceValues[i])) return true;
-    return false;
-}
-
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way));
     float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
     if (planes.x >= last) discard;
-    vec3 localStep = spacing * way, local = origin + 0.5 * localStep;
-    vec3 step = localStep / dimensions, begin = local / dimensions + 0.5;
-    vec3 cellStep = step * voxelCount, cell = begin * voxelCount + CELL_SHIFT;
+    Walk walk = walkOf(origin, way);
     fragment = vec4(0.0);
     float k = planes.x;
     while (k < last && fragment.a < kOpaque) {
-        k = leapFrom(k, last, cell, cellStep);
+        k = leapFrom(k, last, walk);
         float until = min(k + kSamplesAtOnce, last);
-        float here = 0.0, there = textureLod(voxels, begin + k * step, 0.0).r;
-        bool crosses = false;
+        float here = 0.0, there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+        bool isFound = false;
         while (k < until) {
             here = there;
             k += 1.0;
-            there = textureLod(voxels, begin + k * step, 0.0).r;
-            crosses = crossedBetween(here, there);
-            if (crosses) break;
+            there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+            isFound = crossesAny(here, there);
+            if (isFound) break;
         }
-        if (!crosses) continue;
+        if (!isFound) continue;
         for (int i = 0; i < SURFACES; ++i) {
-            int number = here < there ? i : SURFACES - 1 - i;
+            int number = surfaceOnWay(i, here, there);
             float value = surfaceValues[number];
             float at = k - 1.0 + (value - here) / (there - here);
-            if ((here < value) == (there < value) || (at + 0.5) * spacing >= opaque) continue;
-            addSurface(number, begin + at * step, local + at * localStep);
+            if (!crosses(value, here, there) || (at + 0.5) * spacing >= opaque) continue;
+            addSurface(number, walk.place + at * walk.placeStep, walk.local + at * walk.localStep);
         }
     }
     if (fragment.a <= 0.0) discard;
 }
 )";
 
-// The value and the opacity of each sample, which are joined later.
+const char* const kProjectedSample = R"(
+// The value and the opacity that are joined.
+vec2 projectedSample(int chain, vec3 at, vec3 local)
+{
+    StyleSample s = sampleAt(at, local);
+    vec4 color = chainOf(chain, firstColor(s.voxel), s);
+    return vec2((color.r + color.g + color.b) / 3.0, opacityOf(chain, color, s));
+}
+)";
+
+// Samples are joined later.
 const char* const kPlaneSamplesMain = R"(
 void main()
 {
     int chain = chainAt(place);
     if (chain < 0 || isClipped(vec4(position, 1.0))) discard;
-    StyleSample s = sampleAt(place, position);
-    vec4 color = chainOf(chain, firstColor(s.voxel), s);
-    fragment = vec4((color.r + color.g + color.b) / 3.0, opacityOf(chain, color, s), 0.0, 0.0);
+    fragment = vec4(projectedSample(chain, place, position), 0.0, 0.0);
 }
 )";
 
@@ -454,9 +480,8 @@ void main()
         vec3 at = local / dimensions + 0.5;
         int chain = chainAt(at);
         if (chain < 0) continue;
-        StyleSample s = sampleAt(at, local);
-        vec4 color = chainOf(chain, firstColor(s.voxel), s);
-        join(all, (color.r + color.g + color.b) / 3.0, opacityOf(chain, color, s), k);
+        vec2 projected = projectedSample(chain, at, local);
+        join(all, projected.x, projected.y, k);
     }
     if (all.count == 0.0) discard;
     fragment = colorOf(all);

@@ -17,8 +17,10 @@ extern const char* const kSampleFunctions;
 extern const char* const kSurfaceFunctions;
 /// Rays of pixels through a box, CLIP_PLANES of which cut it.
 extern const char* const kRayFunctions;
-/// Where rays may go on beyond blocks in which nothing is seen, with LEAPS.
-extern const char* const kLeapFunctions;
+/// Ways of rays through planes; with LEAPS they go on beyond blocks in which nothing is seen.
+extern const char* const kWalkFunctions;
+/// Of a projection, after opacityOf().
+extern const char* const kProjectedSample;
 /// How samples of a ray become one, with TYPE.
 extern const char* const kJoinFunctions;
 

@@ -6,6 +6,9 @@ namespace vo {
 
 namespace {
 
+constexpr const char* kChainNumberGlsl =
+    "vec4 chainNumber(int i) { return texelFetch(chainNumbers, listPlace(i), 0); }\n";
+
 const char* typeOf(const GlslChain::Value& value)
 {
     constexpr std::array kTypes{"int", "float", "vec2", "vec3", "vec4"};
@@ -21,8 +24,29 @@ void GlslChain::function(std::string_view name, std::string_view text)
     functions_.append(text).append("\n");
 }
 
+void GlslChain::beginRow(std::vector<bool> differ)
+{
+    hasRow_ = true;
+    differ_ = std::move(differ);
+    asked_ = inRow_ = 0;
+}
+
+std::string GlslChain::numberInRow(const Value& value)
+{
+    function("chainNumber", kChainNumberGlsl);
+    std::string name("n");
+    name += std::to_string(inRow_);
+    const std::string type = typeOf(value);
+    rowReads_ +=
+        "    " + type + " " + name + " = " + type + "(chainNumber(row + " + std::to_string(inRow_) + "));\n";
+    ++inRow_;
+    return name;
+}
+
 std::string GlslChain::uniform(const Value& value)
 {
+    if (const std::size_t number = asked_++; number < differ_.size() && differ_[number])
+        return numberInRow(value);
     std::string name("u");
     name += std::to_string(uniforms_.size());
     uniforms_.push_back({name, value});
@@ -56,8 +80,12 @@ void GlslChain::statement(std::string_view text)
 
 void GlslChain::endFunction(std::string_view name)
 {
-    functions_.append("vec4 ").append(name).append("(vec4 color, StyleSample s)\n{\n");
-    functions_.append(steps_).append("    return color;\n}\n");
+    functions_.append("vec4 ")
+        .append(name)
+        .append(hasRow_ ? "(int row, " : "(")
+        .append("vec4 color, StyleSample s)\n{\n");
+    functions_.append(rowReads_).append(steps_).append("    return color;\n}\n");
+    rowReads_.clear();
     steps_.clear();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "style/style.h"
+#include "style/table_stack.h"
 
 #include <glm/vec2.hpp>
 
@@ -44,6 +45,13 @@ public:
         std::shared_ptr<const VoxelTexture> texture;
     };
 
+    GlslChain() = default;
+    /// Tables of values are read from a stack.
+    explicit GlslChain(std::shared_ptr<TableStack> tables) : tables_(std::move(tables)) {}
+
+    /// Nothing: each table is a texture of its own.
+    const std::shared_ptr<TableStack>& tableStack() const { return tables_; }
+
     /// Defines a function, once for each name.
     void function(std::string_view name, std::string_view text);
     /// Their names.
@@ -54,8 +62,14 @@ public:
     /// Adds a statement as it is.
     void statement(std::string_view text);
 
+    /// Begins chains that are written as one, since they differ in their uniforms alone: in those whose
+    /// number, from 0 on, is set in `differ`. A chain has a row of vec4 for these, which `chainNumber(int)`
+    /// answers. To be declared before: `sampler3D chainNumbers`, and kListPlaceGlsl (texel_list.h).
+    void beginRow(std::vector<bool> differ);
+
     /// Ends a chain: `vec4 NAME(vec4 color, StyleSample s)`, which has the steps so far and returns the
-    /// color.
+    /// color. After beginRow() `vec4 NAME(int row, vec4 color, StyleSample s)`, with the number of the row's
+    /// first vec4.
     void endFunction(std::string_view name);
 
     const std::string& declarations() const { return declarations_; } ///< of uniforms
@@ -64,7 +78,14 @@ public:
     const std::vector<Texture>& textures() const { return textures_; }
 
 private:
+    std::string numberInRow(const Value& value);
+
+    std::shared_ptr<TableStack> tables_;
     std::string declarations_, functions_, steps_;
+    bool hasRow_ = false;
+    std::vector<bool> differ_;
+    std::size_t asked_ = 0, inRow_ = 0; ///< uniforms since beginRow(), and those of them in the row
+    std::string rowReads_;
     std::vector<std::string> defined_;
     std::vector<Uniform> uniforms_;
     std::vector<Texture> textures_;

@@ -37,7 +37,7 @@ std::vector<glm::vec4> firstRow(const VoxelTexture& texture)
 } // namespace
 
 TransferFunction::TransferFunction(std::shared_ptr<const VoxelTexture> texture, int axes)
-    : texture_(std::move(texture))
+    : texture_(std::move(texture)), axes_(axes)
 {
     if (texture_ && (axes == 1 || (texture_->size.y == 1 && texture_->size.z == 1)))
         row_ = firstRow(*texture_);
@@ -89,6 +89,8 @@ void TransferFunction::sampleRow(int count, const BatchFloats& values,
 
 std::string TransferFunction::write(GlslChain& chain, const std::string& place) const
 {
+    if (TableStack* const tables = chain.tableStack().get())
+        return tables->write(chain, texture_, row_.empty() ? axes_ : 1, place);
     chain.function("functionPlace", kGlsl);
     const std::string half = chain.uniform(glm::vec3(halfTexel(0), halfTexel(1), halfTexel(2)));
     return "styleTexture(" + chain.texture(texture_) + ", functionPlace(" + place + ", " + half + "))";

@@ -36,6 +36,7 @@ private:
     void sampleRow(int count, const BatchFloats& values, std::array<BatchFloats, 4>& texels) const;
 
     std::shared_ptr<const VoxelTexture> texture_;
+    int axes_ = 1;
     std::vector<glm::vec4> row_; ///< all texels, where one axis counts
 };
 

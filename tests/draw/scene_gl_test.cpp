@@ -2,11 +2,13 @@
 
 #include "cast/cast_scene.h"
 #include "draw/draw_scene.h"
+#include "draw/volume_programs.h"
 #include "style/shadow_textures.h"
 #include "support/float_screen.h"
 #include "support/styled_reference.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -454,6 +456,200 @@ TEST_P(SceneDrawing, segmentsHaveTheirChains)
     volume.segments = Segments{quarters(), 1, 255.0f, {1, -1, 0}, 2};
     compare(scene, "segments");
     compare(sliced(scene), "segments");
+}
+
+/// Chains that take turns: of two kinds, which differ in numbers alone, without styles, and with one that
+/// does nothing.
+std::vector<StyleChain> chainsThatTakeTurns()
+{
+    const auto silhouette = [](float retained, float boundary) {
+        return StyleChain{styleWithReference(SilhouetteEnhancement{retained, boundary, 1.5f, nullptr})};
+    };
+    const auto tone = [](const glm::vec4& cool, const glm::vec4& warm) {
+        return StyleChain{styleWithReference(ToneMapped{cool, warm, nullptr})};
+    };
+    const StyleChain nothing{styleWithReference(Blended{})}; // it has no voxels
+    return {silhouette(0.3f, 0.7f),
+            {},
+            tone({0, 0, 1, 0}, {1, 1, 0, 0}),
+            nothing,
+            silhouette(0.5f, 0.2f),
+            tone({0, 1, 0, 0}, {1, 0, 1, 0}),
+            {}};
+}
+
+/// Numbers 0 to 6.
+TexturePointer sevenSegments()
+{
+    return bytes({7, 6, 4}, 1, [](glm::dvec3 place, int) {
+        return std::fmod(std::floor(7.0 * place.x) + 3.0 * std::floor(6.0 * place.y), 7.0) / 255.0;
+    });
+}
+
+TEST_P(SceneDrawing, chainsOfOneKindHaveTheirOwnNumbers)
+{
+    StyledScene scene = turnedScene({});
+    StyledVolume& volume = scene.volumes[0];
+    volume.chains = chainsThatTakeTurns();
+    volume.segments = Segments{sevenSegments(), 0, 255.0f, {4, 0, 1, 5, 3, 2}, 6};
+    compare(scene, "kinds of chains");
+    compare(sliced(scene), "kinds of chains");
+    volume.projection = RayProjection{RayProjection::Type::average};
+    compare(scene, "kinds of chains, projected");
+    IsoSurfaces& surfaces = volume.surfaces.emplace();
+    surfaces.values = {0.15f, 0.25f, 0.35f, 0.4f, 0.45f, 0.5f, 0.55f};
+    surfaces.chains = chainsThatTakeTurns();
+    compare(scene, "kinds of chains of surfaces");
+    compare(sliced(scene), "kinds of chains of surfaces");
+}
+
+// ---- Many segments, each with a table of its own
+
+/// Squares of a grid, seen head-on, each of its own number.
+constexpr int kAcross = 27;
+
+glm::vec3 colorOfSegment(int id)
+{
+    return glm::vec3(8 * (id % 30) + 10, 8 * (id / 30) + 10, (97 * id) % 256) / 255.0f;
+}
+
+/// Opaque, and of the segment's colour times the value. Segments that follow each other have tables of other
+/// sizes and numbers of components; each fifth has one of 16 bits.
+TexturePointer tableOfSegment(int id)
+{
+    const glm::vec3 color = colorOfSegment(id);
+    auto table = std::make_shared<VoxelTexture>();
+    table->size.x = 2 + id % 300;
+    table->components = 3 + id % 2;
+    table->kind = TexelKind::float32;
+    std::vector<float> texels;
+    for (int texel = 0; texel < table->size.x; ++texel) {
+        const float value = (static_cast<float>(texel) + 0.5f) / static_cast<float>(table->size.x);
+        texels.insert(texels.end(), {color.r * value, color.g * value, color.b * value});
+        if (table->components == 4) texels.push_back(1.0f);
+    }
+    const auto store = [&table](const auto& numbers) {
+        table->texels.resize(numbers.size() * sizeof numbers[0]);
+        std::memcpy(table->texels.data(), numbers.data(), table->texels.size());
+    };
+    if (id % 5 != 0) {
+        store(texels);
+        return table;
+    }
+    table->kind = TexelKind::uint16;
+    std::vector<std::uint16_t> whole(texels.size());
+    std::ranges::transform(texels, whole.begin(),
+                           [](float number) { return static_cast<std::uint16_t>(number * 65535.0f + 0.5f); });
+    store(whole);
+    return table;
+}
+
+/// A box with the same value everywhere, and a style for each of so many segments; other squares of the grid
+/// have numbers beyond them.
+StyledScene segmentsScene(int segments, double value)
+{
+    StyledScene scene = sceneOf(constant(value), false);
+    scene.clipFromEye = glm::ortho(-1.0, 1.0, -1.0, 1.0, 1.0, 10.0);
+    StyledVolume& volume = scene.volumes[0];
+    auto numbers = std::make_shared<VoxelTexture>();
+    numbers->size = {kAcross, kAcross, 1};
+    numbers->kind = TexelKind::uint16;
+    numbers->texels.resize(2 * numbers->size.count());
+    for (std::uint16_t id = 0; id < kAcross * kAcross; ++id)
+        std::memcpy(numbers->texels.data() + 2 * id, &id, 2);
+    volume.segments = Segments{numbers, 0, 65535.0f, {}, -1};
+    volume.chains.clear();
+    for (int id = 0; id < segments; ++id) {
+        OpacityMap map;
+        map.transferFunction = tableOfSegment(id);
+        volume.chains.push_back({makeStyle(map)});
+        volume.segments->chainOf.push_back(segments - 1 - id);
+    }
+    std::ranges::reverse(volume.chains);
+    return scene;
+}
+
+/// Each pixel has the colour of the segment that its middle is in, at the value of all voxels.
+void expectSegments(const std::vector<float>& drawn, int segments, double value, const std::string& what)
+{
+    for (int y = 0; y < kPixels; ++y)
+        for (int x = 0; x < kPixels; ++x) {
+            const auto square = [](int pixel) { return kAcross * (2 * pixel + 1) / (2 * kPixels); };
+            const int id = kAcross * square(y) + square(x);
+            const double half = 0.5 / (2 + id % 300);
+            const glm::vec3 expected =
+                colorOfSegment(id) * static_cast<float>(glm::clamp(value, half, 1.0 - half));
+            const float* const pixel = pixelAt(drawn, x, y);
+            ASSERT_EQ(pixel[3], id < segments ? 1.0f : 0.0f) << what << ", segment " << id;
+            for (int channel = 0; channel < 3; ++channel)
+                ASSERT_NEAR(pixel[channel], id < segments ? expected[channel] : 0.0f, 1e-5f)
+                    << what << ", segment " << id;
+        }
+}
+
+TEST_P(SceneDrawing, eachOfManySegmentsHasATableOfItsOwn)
+{
+    for (const int segments : {3, 255, 725})
+        for (const double value : {0.0, 0.4, 1.0}) {
+            const StyledScene scene = segmentsScene(segments, value);
+            const std::string what = std::to_string(segments) + " at " + std::to_string(value);
+            expectSegments(picture(scene), segments, value, what + " by rays");
+            expectSegments(picture(sliced(scene)), segments, value, what + " by slices");
+            ScenePicture cast;
+            castScene(scene, 1, cast);
+            expectSegments(cast.rgba, segments, value, what + " without OpenGL");
+        }
+}
+
+/// All are clear but two, which share their bit in the masks of blocks with clear ones.
+TEST_P(SceneDrawing, segmentsAmongClearOnesAreSeen)
+{
+    OpacityMap clear;
+    clear.transferFunction = bytes({1, 1, 1}, 4, [](glm::dvec3, int) { return 0.0; });
+    for (const int first : {30, 2}) {
+        StyledScene scene = segmentsScene(725, 0.4);
+        StyledVolume& volume = scene.volumes[0];
+        volume.voxels = bytes({50, 50, 50}, 1, [](glm::dvec3, int) { return 0.4; });
+        for (int id = 0; id < 725; ++id)
+            if (id != first && id != 700)
+                volume.chains[static_cast<std::size_t>(724 - id)] = {makeStyle(clear)};
+        ScenePicture cast;
+        castScene(scene, 1, cast);
+        for (const std::vector<float>& drawn : {picture(scene), picture(sliced(scene)), cast.rgba}) {
+            double sum = 0.0;
+            for (std::size_t i = 3; i < drawn.size(); i += 4)
+                sum += static_cast<double>(drawn[i]);
+            const auto middle = [](int square) { return (2 * square + 1) * kPixels / (2 * kAcross); };
+            for (const int id : {first, 700})
+                EXPECT_EQ(pixelAt(drawn, middle(id % kAcross), middle(id / kAcross))[3], 1.0f) << id;
+            EXPECT_LE(sum, 2 * 9.0);
+        }
+    }
+}
+
+/// One of the tables is another one in the next picture.
+TEST_P(SceneDrawing, aTableThatIsReplacedIsDrawn)
+{
+    StyledScene scene = segmentsScene(725, 0.4);
+    expectSegments(picture(scene), 725, 0.4, "before");
+    OpacityMap map;
+    map.transferFunction = bytes({1, 1, 1}, 3, [](glm::dvec3, int c) { return c == 1 ? 1.0 : 0.0; });
+    scene.volumes[0].chains[724] = {makeStyle(map)};
+    const std::vector<float> drawn = picture(scene);
+    EXPECT_EQ(glm::make_vec4(pixelAt(drawn, 0, 0)), glm::vec4(0, 1, 0, 1));
+    const std::vector<float> before = picture(segmentsScene(725, 0.4));
+    EXPECT_TRUE(std::equal(drawn.begin() + 4 * 3, drawn.begin() + 4 * kPixels, before.begin() + 4 * 3));
+}
+
+TEST_P(SceneDrawing, programsAreNoLongerForMoreSegments)
+{
+    const auto program = [](int segments) {
+        return volumeProgram(segmentsScene(segments, 0.5).volumes[0], {VolumeWay::rays, false});
+    };
+    const VolumeProgram few = program(20), many = program(725);
+    EXPECT_NEAR(static_cast<double>(many.fragmentText.size()), static_cast<double>(few.fragmentText.size()),
+                10.0);
+    EXPECT_TRUE(many.chains.textures().empty());
 }
 
 TEST_P(SceneDrawing, surfacesLieWhereValuesCross)

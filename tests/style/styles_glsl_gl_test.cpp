@@ -2,6 +2,7 @@
 
 #include "offscreen/offscreen.h"
 #include "style/glsl_chain.h"
+#include "style/texel_list.h"
 #include "style_cases.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -25,6 +26,7 @@ const int kMostLights = 8;
 uniform int lightCount;
 uniform StyleLight lights[kMostLights];
 vec4 styleTexture(sampler3D map, vec3 place) { return textureLod(map, place, 0.0); }
+uniform sampler3D stackedTables;
 )";
 
 constexpr const char* kMain = R"(
@@ -79,7 +81,7 @@ protected:
     }
 
     const GladGLContext& gl() const { return context_->gl(); }
-    std::vector<glm::vec4> drawn(const StyleCase& styleCase);
+    std::vector<glm::vec4> drawn(const StyleCase& styleCase, GlslChain chain = {});
 
 private:
     void sendSamples(const std::vector<ReferenceSample>& samples);
@@ -122,8 +124,9 @@ GLuint StylesInGlsl::program(const GlslChain& chain)
 {
     const GLuint name = gl().CreateProgram();
     const GLuint vertex = shader(GL_VERTEX_SHADER, kVertexText);
-    const GLuint fragment = shader(GL_FRAGMENT_SHADER, kPreamble + std::string(kFirstColorGlsl) +
-                                                           chain.declarations() + chain.functions() + kMain);
+    const GLuint fragment =
+        shader(GL_FRAGMENT_SHADER, kPreamble + std::string(kFirstColorGlsl) + kListPlaceGlsl +
+                                       chain.declarations() + chain.functions() + kMain);
     for (const GLuint each : {vertex, fragment}) {
         gl().AttachShader(name, each);
         gl().DeleteShader(each);
@@ -193,9 +196,8 @@ void StylesInGlsl::setLights(GLuint program, const std::vector<StyleLight>& ligh
     }
 }
 
-std::vector<glm::vec4> StylesInGlsl::drawn(const StyleCase& styleCase)
+std::vector<glm::vec4> StylesInGlsl::drawn(const StyleCase& styleCase, GlslChain chain)
 {
-    GlslChain chain;
     for (const auto& style : styleCase.chain())
         style->write(chain);
     chain.endFunction("chainToTest");
@@ -208,6 +210,10 @@ std::vector<glm::vec4> StylesInGlsl::drawn(const StyleCase& styleCase)
     for (const GlslChain::Texture& texture : chain.textures()) {
         bindTexture(unit, *texture.texture);
         setUniform(name, {texture.name, unit++});
+    }
+    if (chain.tableStack() && !chain.tableStack()->empty()) {
+        bindTexture(unit, chain.tableStack()->texture());
+        setUniform(name, {"stackedTables", unit});
     }
     gl().DrawArrays(GL_TRIANGLES, 0, 3);
     EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
@@ -228,6 +234,35 @@ TEST_F(StylesInGlsl, agreeWithTheReferenceSampleBySample)
         const double likeness = psnr(referenceColors(styleCase, samples), drawn(styleCase));
         EXPECT_GT(likeness, 80.0) << styleCase.name;
     }
+}
+
+/// Tables that no style asks for lie before and behind those of each style.
+TEST_F(StylesInGlsl, agreeWithTheReferenceWhereTablesAreStacked)
+{
+    const std::vector<ReferenceSample> samples = caseSamples();
+    int stacked = 0;
+    for (const StyleCase& styleCase : styleCases()) {
+        const auto tables = std::make_shared<TableStack>();
+        GlslChain unused(tables);
+        const auto addOther = [&] {
+            auto other = std::make_shared<VoxelTexture>();
+            other->size = {3, 100, 1};
+            other->kind = TexelKind::float32;
+            other->texels.assign(300 * sizeof(float), std::byte{0x45});
+            tables->write(unused, other, 1, "");
+        };
+        addOther();
+        for (const auto& style : styleCase.chain()) {
+            GlslChain first(tables);
+            style->write(first);
+        }
+        stacked += static_cast<int>(tables->serials().size()) - 1;
+        addOther();
+        const double likeness =
+            psnr(referenceColors(styleCase, samples), drawn(styleCase, GlslChain(tables)));
+        EXPECT_GT(likeness, 80.0) << styleCase.name;
+    }
+    EXPECT_GT(stacked, 5);
 }
 
 } // namespace
