@@ -155,30 +155,25 @@ void divide(VolumeValues& values, const Histogram& counts)
     values.high = std::max(valueOf(binBelow(counts, 0.998)), values.threshold + width);
 }
 
-} // namespace
-
-Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
+/// All but the threshold, and what lies above it.
+Result<void> lookAtRange(const char* program, const std::string& path, VolumeFile& file, Slices& slices,
+                         VolumeValues& values)
 {
-    auto file = openVolume(path);
-    if (!file) return file.failure();
-    for (const std::string& note : file->description().notes)
+    for (const std::string& note : file.description().notes)
         warn(program, path + ": " + note);
-    const VolumeInfo& info = file->info();
-    VolumeValues values;
+    const VolumeInfo& info = file.info();
     values.size = info.size;
-    values.spacing = file->description().spacing;
+    values.spacing = file.description().spacing;
     values.channels = info.channels;
-    values.alphaAdded = file->description().alphaAdded;
-    values.isOriented = file->description().orientation.known;
+    values.alphaAdded = file.description().alphaAdded;
+    values.isOriented = file.description().orientation.known;
     OddNumbers odd;
-    auto slices = Slices::of(path, *file);
-    if (!slices) return slices.failure();
-    auto read = slices->each([&](std::span<const std::byte> voxels) {
+    auto read = slices.each([&](std::span<const std::byte> voxels) {
         growRange(values.seen, info.type, voxels.data(),
                   voxels.size() / static_cast<std::size_t>(bytesPerChannel(info.type)));
         odd.take(info.type, voxels);
     });
-    if (!read) return read.failure();
+    if (!read) return read;
     if (values.seen.low > values.seen.high)
         return Failure{path + ": expected numbers, found only " + std::to_string(odd.none) +
                        " that are none (NaN) and " + std::to_string(odd.infinite) + " infinite ones"};
@@ -186,6 +181,19 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     values.firstFraction = odd.firstFraction;
     const bool isUnsigned = info.type == ChannelType::uint8 || info.type == ChannelType::uint16;
     values.scene = isUnsigned ? fullRange(info.type) : values.seen;
+    return {};
+}
+
+} // namespace
+
+Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
+{
+    auto file = openVolume(path);
+    if (!file) return file.failure();
+    auto slices = Slices::of(path, *file);
+    if (!slices) return slices.failure();
+    VolumeValues values;
+    if (auto looked = lookAtRange(program, path, *file, *slices, values); !looked) return looked.failure();
     if (!(values.seen.low < values.seen.high)) {
         // A body in what is 0 around it.
         const bool isNothing = values.seen.low == 0;
@@ -195,8 +203,8 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     }
     Histogram counts(kBins, 0.0);
     const double scale = static_cast<double>(kBins) / (values.seen.high - values.seen.low);
-    read = slices->each([&](std::span<const std::byte> voxels) {
-        eachValue(info, voxels, [&](double value) {
+    const auto read = slices->each([&](std::span<const std::byte> voxels) {
+        eachValue(file->info(), voxels, [&](double value) {
             const double bin = (value - values.seen.low) * scale;
             if (bin >= 0) counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))] += 1;
         });
@@ -204,6 +212,27 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     if (!read) return read.failure();
     divide(values, counts);
     return values;
+}
+
+Result<LabelValues> lookAtLabels(const char* program, const std::string& path, int most)
+{
+    auto file = openVolume(path);
+    if (!file) return file.failure();
+    auto slices = Slices::of(path, *file);
+    if (!slices) return slices.failure();
+    LabelValues labels;
+    if (auto looked = lookAtRange(program, path, *file, *slices, labels.values); !looked)
+        return looked.failure();
+    const ValueRange& seen = labels.values.seen;
+    if (labels.values.fractions > 0 || seen.low < 0 || seen.high > most) return labels;
+    labels.isThere.resize(static_cast<std::size_t>(seen.high) + 1, 0);
+    const auto read = slices->each([&](std::span<const std::byte> voxels) {
+        eachValue(file->info(), voxels, [&](double value) {
+            if (value >= 0) labels.isThere[static_cast<std::size_t>(value)] = 1;
+        });
+    });
+    if (!read) return read.failure();
+    return labels;
 }
 
 } // namespace vo

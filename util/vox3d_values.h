@@ -3,6 +3,8 @@
 #include "volume_io/volume_io.h"
 #include "volume_view/value_range.h"
 
+#include <vector>
+
 namespace vo {
 
 /// What the values of a volume are, for a table that fits them.
@@ -27,5 +29,14 @@ struct VolumeValues
 
 /// Opens a volume and looks at all of its voxels. `program` begins notes that are printed.
 Result<VolumeValues> lookAtVolume(const char* program, const std::string& path);
+
+/// The numbers of segments: what lookAtVolume() answers but for the threshold, and 1 for each number from 0
+/// to the greatest that a voxel has, else 0; none of these unless all are whole ones from 0 to `most`.
+struct LabelValues
+{
+    VolumeValues values;
+    std::vector<int> isThere;
+};
+Result<LabelValues> lookAtLabels(const char* program, const std::string& path, int most);
 
 } // namespace vo

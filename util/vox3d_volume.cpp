@@ -25,9 +25,9 @@ constexpr const char* kProgram = "vox3d";
 /// The whole angle that a viewpoint sees.
 constexpr double kFieldOfView = 0.6;
 constexpr int kLeastTexels = 256, kMostTexels = 16384;
-/// Segments have these many colours, over and over.
-constexpr int kColors = 12;
-constexpr double kMostSegments = 4096;
+constexpr int kMostSegments = 4096;
+/// Of the tables of all segments together.
+constexpr int kMostTexelsOfSegments = 1 << 21;
 
 using Color = std::array<double, 3>;
 
@@ -49,32 +49,31 @@ std::string urlOf(const fs::path& path)
 /// A transfer function: red, green, blue and alpha, from the value 0 of the scene to 1.
 using Table = std::vector<float>;
 
-int texelsFor(const VolumeValues& values, double width)
+/// Of one of so many tables.
+int texelsFor(const VolumeValues& values, double width, int tables)
 {
     const double wanted = 256 * (values.scene.high - values.scene.low) / width;
+    const int most = std::min(kMostTexels, kMostTexelsOfSegments / tables);
     int texels = kLeastTexels;
-    while (texels < wanted && texels < kMostTexels)
+    while (texels < wanted && 2 * texels <= most)
         texels *= 2;
     return texels;
 }
 
-Table rampTable(const VolumeValues& values, const Vox3dOptions::Ramp& ramp, double opacity, const Color& tint)
+Table rampTable(const VolumeValues& values, const Vox3dOptions::Ramp& ramp, double opacity, int tables)
 {
     const double range = values.scene.high - values.scene.low;
-    const int texels = texelsFor(values, ramp.width);
+    const int texels = texelsFor(values, ramp.width, tables);
     const double half = range / texels / 2;
-    Table table = rampEntries({ramp.center, ramp.width, opacity}, values.scene.low + half,
-                              values.scene.high - half, texels, 4);
-    for (std::size_t i = 0; i < table.size(); ++i)
-        if (i % 4 < 3) table[i] *= static_cast<float>(tint[i % 4]);
-    return table;
+    return rampEntries({ramp.center, ramp.width, opacity}, values.scene.low + half, values.scene.high - half,
+                       texels, 4);
 }
 
 /// A table from a file, spread over all values of 8 bits, or over those that are there.
-Table fileTable(const VolumeValues& values, const LookupFile& file, bool isByte)
+Table fileTable(const VolumeValues& values, const LookupFile& file, bool isByte, int tables)
 {
     const ValueRange range = isByte ? values.scene : values.seen;
-    const int texels = texelsFor(values, std::max(range.high - range.low, 1e-30));
+    const int texels = texelsFor(values, std::max(range.high - range.low, 1e-30), tables);
     Table table;
     for (int i = 0; i < texels; ++i) {
         const double value = values.scene.low + (values.scene.high - values.scene.low) * (i + 0.5) / texels;
@@ -90,12 +89,24 @@ Table fileTable(const VolumeValues& values, const LookupFile& file, bool isByte)
     return table;
 }
 
-Color hueColor(int index)
+double fraction(double number)
 {
+    return number - std::floor(number);
+}
+
+/// Of a segment, by its number alone. Hues are a golden section of the circle apart, so that numbers that
+/// follow each other look unlike; saturation and brightness go through their ranges as evenly, so that up to
+/// kMostSegments no two are the same.
+Color segmentColor(int number)
+{
+    const double hue = 6 * fraction(number * 0.6180339887498949);
+    const double saturation = 0.4 + 0.6 * fraction(number * 0.7548776662466927);
+    const double brightness = 0.6 + 0.4 * fraction(number * 0.5698402909980532);
     Color color;
     for (std::size_t c = 0; c < 3; ++c) {
-        const double hue = std::fmod(6.0 * index * 0.618034 + 2.0 * (3 - double(c)), 6.0);
-        color[c] = 0.35 + 0.65 * std::clamp(std::abs(hue - 3) - 1, 0.0, 1.0);
+        const double turned = std::fmod(hue + 2.0 * (3 - double(c)), 6.0);
+        const double pure = std::clamp(std::abs(turned - 3) - 1, 0.0, 1.0);
+        color[c] = brightness * (1 - saturation + saturation * pure);
     }
     return color;
 }
@@ -169,7 +180,7 @@ private:
                              numberText(at) + " for " + options_.input + " with " + found
                        : options_.input + ": expected values below and above a surface, found " + found;
         }
-        if (!hasTable() || !options_.labels.empty() || !isClear(table({1, 1, 1}))) return "";
+        if (!hasTable() || !options_.labels.empty() || !isClear(table())) return "";
         if (file_)
             return options_.lutFile + ": expected opacities above 0 for voxels of " + options_.input +
                    ", found none for " + found;
@@ -216,15 +227,15 @@ private:
     }
 
     /// Volumes of one value look like surfaces where styles ask for normals, and like fog otherwise.
-    Table table(const Color& tint) const
+    Table table() const
     {
-        if (file_) return fileTable(values_, *file_, values_.scene.high == 255);
+        if (file_) return fileTable(values_, *file_, values_.scene.high == 255, tables_);
         const bool isFog = is("opacity") || is("projection") || is("stipple") || is("boundary");
         Vox3dOptions::Ramp ramp{(values_.threshold + values_.high) / 2,
                                 std::max(values_.high - values_.threshold, 1e-30)};
         if (!isFog) ramp = {values_.threshold, ramp.width / 4};
         if (options_.lut) ramp = *options_.lut;
-        return rampTable(values_, ramp, isFog ? std::min(1.0, fogOpacity()) : 0.9, tint);
+        return rampTable(values_, ramp, isFog ? std::min(1.0, fogOpacity()) : 0.9, tables_);
     }
 
     /// Of a voxel of the highest values. A boundary is a small part of what lies on the way.
@@ -236,7 +247,9 @@ private:
 
     voX3DNode transferFunction(const Color& tint)
     {
-        const Table of = table(tint);
+        Table of = table();
+        for (std::size_t i = 0; i < of.size(); ++i)
+            if (i % 4 < 3) of[i] *= static_cast<float>(tint[i % 4]);
         std::vector<int> image{static_cast<int>(of.size() / 4), 1, 4};
         for (std::size_t i = 0; i < of.size(); i += 4) {
             std::uint32_t pixel = 0;
@@ -378,8 +391,9 @@ private:
     {
         if (is("iso") || is("projection") || is("stipple"))
             return Failure{"option -labels: expected a style that segments have, found -style " + style_};
-        const auto numbers = lookAtVolume(kProgram, options_.labels);
-        if (!numbers) return numbers.failure();
+        const auto labels = lookAtLabels(kProgram, options_.labels, kMostSegments);
+        if (!labels) return labels.failure();
+        const VolumeValues* const numbers = &labels->values;
         if (numbers->size != values_.size)
             return Failure{options_.labels + ": expected " + sizeText(values_.size) + " voxels as in " +
                            options_.input + ", found " + sizeText(numbers->size)};
@@ -391,22 +405,27 @@ private:
                                 : "")};
         if (numbers->seen.low < 0 || numbers->seen.high > kMostSegments)
             return Failure{options_.labels + ": expected numbers of segments from 0 to " +
-                           std::to_string(int(kMostSegments)) + ", found " +
+                           std::to_string(kMostSegments) + ", found " +
                            std::to_string(int(numbers->seen.low)) + " to " +
                            std::to_string(int(numbers->seen.high))};
-        std::vector<voX3DNode> colors, styles;
-        for (int i = 0; i < kColors; ++i)
-            colors.push_back(renderStyle(hueColor(i)));
-        const auto count = static_cast<int>(numbers->seen.high) + 1;
+        return segmentedBy(labels->isThere);
+    }
+
+    /// Segments of the numbers that are there; the others, and 0, are not drawn.
+    voX3DNode segmentedBy(std::vector<int> isThere)
+    {
+        isThere[0] = 0;
+        tables_ = std::max(1, static_cast<int>(std::ranges::count(isThere, 1)));
+        const auto count = static_cast<int>(isThere.size());
+        const voX3DNode none = node("OpacityMapVolumeStyle");
+        std::vector<voX3DNode> styles;
         for (int i = 0; i < count; ++i)
-            styles.push_back(colors[static_cast<std::size_t>(i % kColors)]);
-        std::vector<int> enabled(static_cast<std::size_t>(count), 1);
-        enabled[0] = 0;
+            styles.push_back(isThere[static_cast<std::size_t>(i)] ? renderStyle(segmentColor(i)) : none);
         voX3DNode volume = node("SegmentedVolumeData");
         setDimensions(volume);
         volume.setNode("voxels", voxels_);
         volume.setNode("segmentIdentifiers", imageTexture(options_.labels));
-        volume.setInts("segmentEnabled", enabled.data(), count);
+        volume.setInts("segmentEnabled", isThere.data(), count);
         volume.setNodes("renderStyle", styles.data(), count);
         return volume;
     }
@@ -495,6 +514,7 @@ private:
     std::string style_;
     std::optional<LookupFile> file_;
     voX3DNode voxels_;
+    int tables_ = 1; ///< that the scene has
 };
 
 /// Calls a function with each node that has a url, once for each place.

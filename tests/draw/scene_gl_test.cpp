@@ -579,7 +579,7 @@ void expectSegments(const std::vector<float>& drawn, int segments, double value,
             const double half = 0.5 / (2 + id % 300);
             const glm::vec3 expected =
                 colorOfSegment(id) * static_cast<float>(glm::clamp(value, half, 1.0 - half));
-            const float* const pixel = pixelAt(drawn, x, y);
+            const float* const pixel = drawn.data() + 4 * (y * kPixels + x);
             ASSERT_EQ(pixel[3], id < segments ? 1.0f : 0.0f) << what << ", segment " << id;
             for (int channel = 0; channel < 3; ++channel)
                 ASSERT_NEAR(pixel[channel], id < segments ? expected[channel] : 0.0f, 1e-5f)

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <limits>
+#include <regex>
 #include <sstream>
 #include <unistd.h>
 
@@ -327,6 +328,74 @@ TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
     EXPECT_NE(wrong.output.find("expected 24 x 20 x 16 voxels as in " + volume), std::string::npos)
         << wrong.output;
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
+}
+
+/// The last colours of all tables of a scene, as they stand in it.
+std::vector<std::array<int, 3>> lastColors(const std::string& scene)
+{
+    std::vector<std::array<int, 3>> colors;
+    for (std::size_t at = scene.find(" image='"); at != std::string::npos;
+         at = scene.find(" image='", at + 1)) {
+        const std::size_t end = scene.find('\'', at + 8), last = scene.find_last_of(" \n", end - 2);
+        const long long rgba = std::stoll(scene.substr(last, end - last), nullptr, 0);
+        colors.push_back({int(rgba >> 24 & 255), int(rgba >> 16 & 255), int(rgba >> 8 & 255)});
+    }
+    return colors;
+}
+
+/// Squares of a grid have the labels 1 to 725 but for one, the last ones none.
+TEST_F(Vox3dPicture, everyLabelHasAColourOfItsOwn)
+{
+    constexpr int kAcross = 27, kLabels = 725, kAbsent = 400;
+    std::vector<std::uint16_t> labels(kAcross * kAcross * 4);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const auto label = static_cast<int>(i) % (kAcross * kAcross) + 1;
+        labels[i] = static_cast<std::uint16_t>(label > kLabels || label == kAbsent ? 0 : label);
+    }
+    const auto* const bytes = reinterpret_cast<const std::byte*>(labels.data());
+    EXPECT_TRUE(writeTiffStack(folder / "labels.tif", {{kAcross, kAcross, 4}, 1, ChannelType::uint16},
+                               {bytes, bytes + 2 * labels.size()}));
+    EXPECT_TRUE(writeTiffStack(folder / "even.tif", {{kAcross, kAcross, 4}, 1, ChannelType::uint8},
+                               std::vector<std::byte>(labels.size(), std::byte{200})));
+    const std::string made = (folder / "even.tif") + " -style edge -lut 100 50 -labels ";
+    EXPECT_EQ(vox3d(made + (folder / "labels.tif") + " -save " + (folder / "made.x3d")).status, 0);
+    const std::string text = read(folder / "made.x3d");
+    const std::vector<std::array<int, 3>> colors = lastColors(text);
+    ASSERT_EQ(colors.size(), std::size_t{kLabels - 1});
+    EXPECT_EQ(std::set(colors.begin(), colors.end()).size(), colors.size());
+
+    // Four voxels deep, each with an opacity of 0.9.
+    write("seen.x3d",
+          std::regex_replace(text, std::regex("<Viewpoint[^>]*/>"),
+                             "<OrthoViewpoint position='0 0 9' fieldOfView='-13.5 -13.5 13.5 13.5'/>"));
+    EXPECT_EQ(vox3d((folder / "seen.x3d") + " -size 270 270 -output " + (folder / "seen.png")).output, "");
+    const Picture seen = picture("seen.png");
+    for (int label = 1, i = 0; label <= kAcross * kAcross; ++label) {
+        const bool isDrawn = label != kAbsent && label <= kLabels;
+        const auto expected = isDrawn ? colors[static_cast<std::size_t>(i++)] : std::array{0, 0, 0};
+        const auto there =
+            pixel(seen, 10 * ((label - 1) % kAcross) + 5, 269 - (10 * ((label - 1) / kAcross) + 5));
+        for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(there[c], expected[c], 1) << "label " << label;
+    }
+}
+
+/// Whatever other labels there are.
+TEST_F(Vox3dPicture, coloursOfLabelsGoByTheirNumbers)
+{
+    const auto colorOf = [&](const std::string& name, const std::vector<float>& numbers, std::size_t which) {
+        std::vector<float> labels(24 * 20 * 16, 0);
+        std::ranges::copy(numbers, labels.begin());
+        EXPECT_EQ(vox3d(ball() + " -labels " + floats(name, "24 20 16", labels) + " -save " +
+                        (folder / "saved.x3d"))
+                      .status,
+                  0);
+        const auto colors = lastColors(read(folder / "saved.x3d"));
+        EXPECT_EQ(colors.size(), numbers.size());
+        return colors.at(which);
+    };
+    EXPECT_EQ(colorOf("few.nrrd", {7, 300}, 1), colorOf("more.nrrd", {1, 2, 7, 299, 300, 4096}, 4));
+    EXPECT_NE(colorOf("few.nrrd", {7, 300}, 0), colorOf("few.nrrd", {8, 300}, 0));
 }
 
 TEST_F(Vox3dPicture, labelsAreWholeNumbers)
