@@ -2,6 +2,7 @@
 
 #include "vox3d_pictures.h"
 
+#include "machine_memory.h"
 #include "utility.h"
 #include "volume_io/volume_io.h"
 #include "volume_view/frame_names.h"
@@ -15,7 +16,6 @@
 #include <numbers>
 #include <span>
 #include <sstream>
-#include <unistd.h>
 
 namespace vo {
 namespace {
@@ -72,8 +72,7 @@ Result<void> checkMemory(const Vox3dOptions& options)
     constexpr std::int64_t kBytesPerPixel = 9 * sizeof(float) + 3;
     constexpr double kGib = 1 << 30;
     const std::int64_t needed = std::int64_t(options.width) * options.height * kBytesPerPixel;
-    const std::int64_t there =
-        static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGE_SIZE);
+    const std::int64_t there = machineMemory();
     if (there <= 0 || needed <= there) return {};
     std::ostringstream text;
     text << std::fixed << std::setprecision(1) << "option -size: expected a picture that "

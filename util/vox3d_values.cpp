@@ -1,5 +1,6 @@
 #include "vox3d_values.h"
 
+#include "machine_memory.h"
 #include "utility.h"
 #include "volume_io/memory_block.h"
 
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <unistd.h>
 #include <vector>
 
 namespace vo {
@@ -25,7 +25,7 @@ public:
         const auto& size = file.info().size;
         const auto sliceBytes = volumeBytes({size[0], size[1], 1}, file.info().bytesPerVoxel());
         if (!sliceBytes) return Failure{path + ": " + sliceBytes.failure().text};
-        const std::int64_t most = std::max(kBytesAtOnce, memoryBytes() / 4);
+        const std::int64_t most = std::max(kBytesAtOnce, machineMemory() / 4);
         const std::int64_t atOnce = size[2] <= most / *sliceBytes
                                         ? size[2]
                                         : std::clamp<std::int64_t>(kBytesAtOnce / *sliceBytes, 1, size[2]);
@@ -54,11 +54,6 @@ private:
     Slices(VolumeFile& file, std::int64_t sliceBytes, std::int64_t atOnce, MemoryBlock block)
         : file_(&file), sliceBytes_(sliceBytes), atOnce_(atOnce), block_(std::move(block))
     {
-    }
-
-    static std::int64_t memoryBytes()
-    {
-        return static_cast<std::int64_t>(::sysconf(_SC_PHYS_PAGES)) * ::sysconf(_SC_PAGE_SIZE);
     }
 
     VolumeFile* file_;
