@@ -38,6 +38,11 @@ bool TimeSensor::begins(const Fields& fields, double now) const
     return fields.loop || fields.startTime != spentStart_;
 }
 
+bool TimeSensor::isStopped(const Fields& fields, double now) const
+{
+    return fields.stopTime > start_ && now >= fields.stopTime;
+}
+
 double TimeSensor::elapsedAt(double now) const
 {
     return std::max(0.0, (isPaused_ ? pausedAt_ : now) - start_ - pausedFor_);
@@ -46,19 +51,21 @@ double TimeSensor::elapsedAt(double now) const
 /// A run without loop ends with the cycle that it was in when it was last looked at.
 bool TimeSensor::ends(const Fields& fields, double now, double& elapsed) const
 {
-    const bool isStopped = fields.stopTime > start_ && now >= fields.stopTime;
-    if (isStopped) elapsed = std::min(elapsed, fields.stopTime - start_ - pausedFor_);
-    if (fields.loop) return isStopped || !fields.enabled;
+    const bool isEnded = isStopped(fields, now) || !fields.enabled;
+    if (fields.loop) return isEnded;
     const double cycles = std::floor(lastElapsed_ / fields.cycleInterval) + 1;
     const bool isOver = elapsed >= cycles * fields.cycleInterval;
     if (isOver) elapsed = cycles * fields.cycleInterval;
-    return isOver || isStopped || !fields.enabled;
+    return isOver || isEnded;
 }
 
 void TimeSensor::pause(const Fields& fields, double now, std::vector<SceneEvent>& events)
 {
-    const bool isWanted = fields.pauseTime > start_ && now >= fields.pauseTime &&
-                          (fields.resumeTime <= fields.pauseTime || now < fields.resumeTime);
+    const bool isReached = fields.pauseTime > start_ && now >= fields.pauseTime;
+    const bool isWanted = isReached && (fields.resumeTime <= fields.pauseTime || now < fields.resumeTime);
+    const bool isLeapt = isReached && !isWanted && !isPaused_ && fields.pauseTime > lastSeen_;
+    if (isLeapt) pausedFor_ += fields.resumeTime - fields.pauseTime;
+    lastSeen_ = now;
     if (isWanted == isPaused_) return;
     if (isWanted)
         pausedAt_ = fields.pauseTime;
@@ -95,17 +102,19 @@ std::vector<SceneEvent> TimeSensor::advance(double now)
         if (!begins(now_, now)) return events;
         isActive_ = true;
         isPaused_ = false;
-        start_ = now_.startTime;
+        start_ = lastSeen_ = now_.startTime;
         pausedFor_ = lastElapsed_ = 0;
         lastCycle_ = -1;
         send("isActive", truthValue(true), events);
     }
     const bool wasPaused = isPaused_;
-    pause(now_, now, events);
-    double elapsed = elapsedAt(now);
+    const double seen = isStopped(now_, now) ? now_.stopTime : now;
+    pause(now_, seen, events);
+    double elapsed = elapsedAt(seen);
     const bool isOver = ends(now_, now, elapsed);
     if (!wasPaused || !isPaused_) tell(now_, now, elapsed, events);
-    if (isOver && wasActive) {
+    const bool isNewlyPaused = isPaused_ && !wasPaused;
+    if (isOver && wasActive && !isNewlyPaused) {
         isActive_ = false;
         spentStart_ = now_.startTime;
         if (std::exchange(isPaused_, false)) send("isPaused", truthValue(false), events);

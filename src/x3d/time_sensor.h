@@ -22,7 +22,8 @@ public:
     explicit TimeSensor(Node& sensor) : node_(sensor) {}
 
     /// What it sends at a time, which does not go back; all of one time stamp. Where the time leaps over the
-    /// whole of a run, isDue afterwards: its end has a time stamp of its own.
+    /// whole of a run, or into a pause in which it stops, isDue afterwards: the end has a time stamp of its
+    /// own. A pause that the time leaps over is not sent, and does not elapse.
     std::vector<SceneEvent> advance(double now);
     bool isDue() const { return isDue_; }
     bool isActive() const { return isActive_; }
@@ -42,6 +43,7 @@ private:
     Fields fields() const;
     bool begins(const Fields& fields, double now) const;
     bool ends(const Fields& fields, double now, double& elapsed) const;
+    bool isStopped(const Fields& fields, double now) const;
     double elapsedAt(double now) const;
     void pause(const Fields& fields, double now, std::vector<SceneEvent>& events);
     void tell(const Fields& fields, double now, double elapsed, std::vector<SceneEvent>& events);
@@ -50,6 +52,7 @@ private:
     Node& node_;
     bool isActive_ = false, isPaused_ = false, isDue_ = false, hasBegun_ = false;
     double start_ = 0, pausedAt_ = 0, pausedFor_ = 0, lastElapsed_ = 0;
+    double lastSeen_ = 0;   ///< of the run, at most its stopTime
     double lastCycle_ = -1; // a whole number
     /// The startTime of a run that is over.
     double spentStart_ = std::numeric_limits<double>::quiet_NaN();

@@ -131,6 +131,77 @@ TEST_F(SceneEventsTest, stopTimeEndsAndPauseTimeHolds)
     EXPECT_FALSE(truth("Hold", "isPaused"));
 }
 
+TEST_F(SceneEventsTest, runsThatEndedBeforeTheFirstTimeAreOver)
+{
+    read("<TimeSensor DEF='Over' startTime='3'/><TimeSensor DEF='Running' startTime='3' cycleInterval='20'/>"
+         "<TimeSensor DEF='Looping' startTime='3' cycleInterval='4' loop='true'/>");
+    events.setTime(8);
+    EXPECT_FALSE(truth("Over", "isActive"));
+    EXPECT_FALSE(node("Over").isSet(node("Over").field("fraction_changed")->slot)) << "nothing is sent";
+    EXPECT_TRUE(truth("Running", "isActive"));
+    EXPECT_EQ(number("Running", "fraction_changed"), 0.25f);
+    EXPECT_EQ(number("Looping", "fraction_changed"), 0.25f);
+    EXPECT_EQ(seconds("Looping", "cycleTime"), 7);
+    events.setTime(9);
+    EXPECT_FALSE(node("Over").isSet(node("Over").field("isActive")->slot));
+}
+
+TEST_F(SceneEventsTest, timeInPausesDoesNotElapse)
+{
+    const std::string paused = "cycleInterval='4' loop='true' pauseTime='2' resumeTime='5'/>";
+    read("<TimeSensor DEF='T' stopTime='10' " + paused + "<TimeSensor DEF='Held' stopTime='4' " + paused);
+    events.setTime(1);
+    events.setTime(3);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 2);
+    events.setTime(6);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 3);
+    EXPECT_EQ(seconds("T", "cycleTime"), 0);
+    EXPECT_EQ(seconds("Held", "elapsedTime"), 2) << "stopped while it was paused";
+    EXPECT_FALSE(truth("Held", "isPaused"));
+    EXPECT_FALSE(truth("Held", "isActive"));
+    events.setTime(8);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 5);
+    EXPECT_EQ(seconds("T", "cycleTime"), 7) << "4 seconds, and 3 of the pause";
+    events.setTime(20);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 7) << "stopped at 10";
+    EXPECT_EQ(number("T", "fraction_changed"), 0.75f);
+    EXPECT_FALSE(truth("T", "isActive"));
+}
+
+TEST_F(SceneEventsTest, timeInPausesThatAreLeaptOverDoesNotElapse)
+{
+    const std::string paused = "cycleInterval='4' loop='true' pauseTime='2' resumeTime='5'/>";
+    read("<TimeSensor DEF='T' stopTime='10' " + paused + "<TimeSensor DEF='Held' stopTime='4' " + paused);
+    events.setTime(8);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 5);
+    EXPECT_EQ(number("T", "fraction_changed"), 0.25f);
+    events.setTime(1);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 1) << "time went back";
+    EXPECT_TRUE(truth("Held", "isActive"));
+    events.setTime(20);
+    EXPECT_EQ(seconds("T", "elapsedTime"), 7);
+    EXPECT_EQ(seconds("Held", "elapsedTime"), 2);
+    EXPECT_FALSE(truth("Held", "isPaused"));
+    EXPECT_FALSE(truth("Held", "isActive"));
+}
+
+TEST_F(SceneEventsTest, stopTimesBeforeTheRunAreRefused)
+{
+    read("<TimeSensor DEF='T' startTime='3' loop='true' stopTime='0'/>");
+    events.setTime(4);
+    for (const double early : {2.0, 3.0}) {
+        receive("T", "stopTime", std::vector<double>{early});
+        EXPECT_EQ(seconds("T", "stopTime"), 0);
+    }
+    receive("T", "stopTime", std::vector<double>{3.5});
+    EXPECT_EQ(seconds("T", "stopTime"), 3.5);
+    events.setTime(5);
+    EXPECT_FALSE(truth("T", "isActive"));
+    EXPECT_EQ(seconds("T", "elapsedTime"), 0.5);
+    receive("T", "stopTime", std::vector<double>{2});
+    EXPECT_EQ(seconds("T", "stopTime"), 2) << "it does not run";
+}
+
 TEST_F(SceneEventsTest, loopThatIsTakenAwayEndsWithItsCycle)
 {
     read("<TimeSensor DEF='T' cycleInterval='4' loop='true'/>");
@@ -163,6 +234,15 @@ TEST_F(SceneEventsTest, numbersAndPositionsGoStraight)
     expectNear(at("<ScalarInterpolator key='0 1' keyValue='3'/>", 0.5f), {3});
 }
 
+TEST_F(SceneEventsTest, keysThatFallEndTheList)
+{
+    const std::string falling = "<ScalarInterpolator key='0 0.5 0.2 1' keyValue='0 1 7 9'/>";
+    expectNear(at(falling, 0.25f), {0.5f});
+    expectNear(at(falling, 0.75f), {1});
+    expectNear(at(falling, 1), {1});
+    expectNear(at("<ScalarInterpolator key='1 0' keyValue='3 4'/>", 0), {3});
+}
+
 TEST_F(SceneEventsTest, orientationsGoTheShorterWayRound)
 {
     const std::string quarter = "<OrientationInterpolator key='0 1' keyValue='0 1 0 0  0 2 0 1.5707963'/>";
@@ -174,6 +254,19 @@ TEST_F(SceneEventsTest, orientationsGoTheShorterWayRound)
         "<OrientationInterpolator key='0 1' keyValue='1 0 0 1.57079633  0 1 0 1.57079633'/>";
     const float half = std::sqrt(0.5f);
     expectNear(at(two, 0.5f), {half, half, 0, 2 * std::atan2(half, 1.0f)});
+}
+
+TEST_F(SceneEventsTest, rotationsWithoutAxisTurnNothing)
+{
+    expectNear(at("<OrientationInterpolator key='0 1' keyValue='0 1 0 0  1 0 0 0'/>", 0.5f), {0, 0, 1, 0});
+    // One about an axis of no length, and a whole turn.
+    Scene one;
+    ASSERT_TRUE(readSceneText(one,
+                              "<X3D version='4.0'><Scene><OrientationInterpolator key='0 1 2' "
+                              "keyValue='0 0 0 2  0 1 0 1  0 1 0 -5.283185307'/></Scene></X3D>",
+                              "axis"));
+    const auto half = std::get<std::vector<float>>(*interpolated(*one.roots.at(0), 0.5f));
+    expectNear(half, {0, 1, 0, 0.5f});
 }
 
 TEST_F(SceneEventsTest, coloursGoRoundTheCircleOfHues)
