@@ -33,6 +33,7 @@ StyleLight worldLight(const Node& node, const glm::dmat4& worldFromLocal)
     light.ambientIntensity = floatOf(node, "ambientIntensity", light.ambientIntensity);
     light.position = vec3Of(node, "location", light.position);
     light.direction = vec3Of(node, "direction", light.direction);
+    if (light.direction == glm::vec3(0.0f)) light.direction = {0, 0, -1};
     light.attenuation = vec3Of(node, "attenuation", light.attenuation);
     light.radius = floatOf(node, "radius", light.radius);
     light.beamWidth = floatOf(node, "beamWidth", light.beamWidth);

@@ -120,6 +120,17 @@ TEST(StyledView, orthoViewpointShowsItsRectangleWhole)
     }
 }
 
+TEST(StyledView, orthoRectangleIsMadeHigherInHighWindows)
+{
+    ViewedScene s("<OrthoViewpoint fieldOfView='-1 -2 3 2'/>" + kVolume);
+    ViewRequest request;
+    request.width = 100;
+    request.height = 200;
+    s.draw(request);
+    expectNear(inPicture(s.drawn, {3, 4, 0}) * glm::dvec3(1, 1, 0), {1, 1, 0});
+    expectNear(inPicture(s.drawn, {-1, -4, 0}) * glm::dvec3(1, 1, 0), {-1, -1, 0});
+}
+
 TEST(StyledView, viewpointAndCameraOfTheRequestComeFirst)
 {
     ViewedScene s("<Viewpoint DEF='A' position='1 0 5'/><Viewpoint DEF='B' position='2 0 5'/>"
@@ -153,6 +164,19 @@ TEST(StyledView, viewAllMovesTheEyeAndKeepsItsDirection)
     EXPECT_LE(std::abs(inPicture(s.drawn, {0.5, 9.5, 0.5}).y), 1.0);
 }
 
+TEST(StyledView, viewAllGoesByTheNarrowerSide)
+{
+    ViewedScene s("<Viewpoint viewAll='true' fieldOfView='0.6'/>" + kVolume);
+    for (const auto& [width, height] : {std::pair(200, 100), std::pair(100, 200), std::pair(100, 100)}) {
+        ViewRequest request;
+        request.width = width;
+        request.height = height;
+        s.draw(request);
+        EXPECT_NEAR(glm::inverse(s.drawn.eyeFromWorld)[3].z, std::sqrt(0.75) / std::sin(0.3), 1e-5)
+            << width << " x " << height;
+    }
+}
+
 TEST(StyledView, nearAndFarPlanesHoldAllThatIsBeforeTheEye)
 {
     const ViewedScene s("<Viewpoint position='0 0 3'/><Transform translation='0 0 -1000'>" + kVolume +
@@ -175,6 +199,44 @@ TEST(StyledView, whatIsSmallAndNearIsNotCutByWhatIsLargeAndFar)
     const ViewedScene beside("<Viewpoint position='0 0 1000'/>" + kVolume +
                              "<Transform translation='900 0 999.9'>" + kVolume + "</Transform>");
     EXPECT_NEAR(inPicture(beside.drawn, {0, 0, 0.6}).z, -1.0, 0.5);
+}
+
+TEST(StyledView, nearPlaneIsAThousandthOfItsOwnDepthAndAMillionthOfAll)
+{
+    // Its depth is 1/2, and a hundredth of its diagonal.
+    const ViewedScene within("<Viewpoint position='0 0 0'/>" + kVolume);
+    const double thousandth = (0.5 + 0.01 * std::sqrt(3.0)) * 1e-3;
+    EXPECT_GT(inPicture(within.drawn, {0, 0, -1.01 * thousandth}).z, -1.0);
+    EXPECT_LT(inPicture(within.drawn, {0, 0, -0.99 * thousandth}).z, -1.0);
+    const ViewedScene large("<Viewpoint position='0 0 0'/><Transform translation='0 0 -0.1' scale='0.01 0.01 "
+                            "0.01'>" +
+                            kVolume + "</Transform><Transform translation='0 0 -1000000'>" + kVolume +
+                            "</Transform>");
+    // Depths are 1e6, and a hundredth of that.
+    EXPECT_GT(inPicture(large.drawn, {0, 0, -1.02}).z, -1.0);
+    EXPECT_LT(inPicture(large.drawn, {0, 0, -1.0}).z, -1.0);
+}
+
+TEST(StyledView, depthsThatAViewpointGivesAreThosePlanes)
+{
+    // The volume is 9.5 to 10.5 away.
+    const auto depthAt = [](const std::string& fields, double depth) {
+        return inPicture(ViewedScene("<Viewpoint position='0 0 10' " + fields + "/>" + kVolume).drawn,
+                         {0, 0, 10 - depth})
+            .z;
+    };
+    EXPECT_NEAR(depthAt("farDistance='2'", 2.0), 1.0, 1e-9);
+    EXPECT_NEAR(depthAt("farDistance='2'", 1.0), -1.0, 1e-9) << "before all that is seen";
+    EXPECT_NEAR(depthAt("farDistance='40'", 40.0), 1.0, 1e-9);
+    EXPECT_GT(depthAt("farDistance='40'", 9.5), -1.0);
+    EXPECT_LT(depthAt("farDistance='40'", 9.4), -1.0);
+    EXPECT_NEAR(depthAt("nearDistance='50'", 50.0), -1.0, 1e-9);
+    EXPECT_NEAR(depthAt("nearDistance='50'", 100.0), 1.0, 1e-9);
+    EXPECT_NEAR(depthAt("nearDistance='3'", 3.0), -1.0, 1e-9);
+    EXPECT_LT(depthAt("nearDistance='3'", 10.5), 1.0);
+    EXPECT_GT(depthAt("nearDistance='3'", 10.6), 1.0);
+    EXPECT_NEAR(depthAt("nearDistance='3' farDistance='8'", 3.0), -1.0, 1e-9);
+    EXPECT_NEAR(depthAt("nearDistance='3' farDistance='8'", 8.0), 1.0, 1e-9);
 }
 
 TEST(StyledView, headlightShinesFromTheEye)
@@ -228,6 +290,19 @@ TEST(StyledView, pointAndSpotLightsShineEverywhereInLocalSpace)
     expectNear(glm::dvec3(lights[1].direction), {0, 0, -1});
     EXPECT_EQ(lights[1].beamWidth, 0.25f);
     EXPECT_EQ(lights[1].cutOffAngle, 0.5f);
+}
+
+TEST(StyledView, lightsWithoutDirectionShineAlongTheirOwnAxis)
+{
+    const ViewedScene s("<NavigationInfo headlight='false'/><Transform rotation='0 1 0 1.5707963'>"
+                        "<DirectionalLight direction='0 0 0' global='true'/></Transform>"
+                        "<Transform scale='1 0 1'><DirectionalLight direction='0 -1 0' global='true'/>"
+                        "</Transform><Transform rotation='1 0 0 1.5707963' scale='2 2 2'>" +
+                        kVolume + "</Transform>");
+    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    ASSERT_EQ(lights.size(), 2u);
+    expectNear(glm::dvec3(lights[0].direction), {-1, 0, 0});
+    EXPECT_NEAR(glm::length(lights[1].direction), 1.0f, 1e-6f) << "of a Transform without extent";
 }
 
 TEST(StyledView, globalDecidesAboutTheScopeOfLights)
