@@ -159,6 +159,49 @@ TEST(pickScene, projectionsHideWhatIsBehindTheirFirstSample)
     EXPECT_NEAR(hit.local.z, -3.5, 1e-6) << "the one that is shown lies behind the second volume";
 }
 
+/// A surface at each value of what rises or falls along z.
+StyledScene surfacesOf(const std::vector<float>& values, const std::function<float(float)>& valueAt)
+{
+    StyledScene scene = projectionOf(vo::RayProjection::Type::max, valueAt);
+    scene.volumes[0].projection.reset();
+    scene.volumes[0].surfaces = vo::IsoSurfaces{values, {{}}, 0.0f, nullptr};
+    return scene;
+}
+
+TEST(pickScene, surfacesOfValuesComeBeforeTheirProjection)
+{
+    StyledScene scene = surfacesOf({0.5f}, [](float z) { return z; });
+    scene.volumes[0].projection.emplace();
+    const SceneHit hit = pickAt(scene, 0.5, 0.5, 0.0f);
+    ASSERT_EQ(hit.kind, SceneHit::Kind::surface);
+    expectNear(hit.local, {0.5, 0.5, 0.0});
+}
+
+TEST(pickScene, nearerOfTwoSurfacesInOneStepIsMet)
+{
+    const std::function<float(float)> rising = [](float z) { return z; };
+    const std::function<float(float)> falling = [](float z) { return 1.0f - z; };
+    for (const auto& [valueAt, z] : {std::pair(rising, 0.8), std::pair(falling, 1.6)}) {
+        StyledScene scene = surfacesOf({0.3f, 0.6f}, valueAt);
+        // One step, from the first voxel's centre to the last one's: the value is linear.
+        scene.volumes[0].clipPlanes = {{0.0, 0.0, -1.0, 3.5}, {0.0, 0.0, 1.0, 3.5}};
+        scene.volumes[0].spacing = 7.0;
+        const SceneHit hit = pickAt(scene, 0.5, 0.5, 0.0f);
+        ASSERT_EQ(hit.kind, SceneHit::Kind::surface);
+        EXPECT_NEAR(hit.local.z, z, 1e-5);
+    }
+}
+
+TEST(pickScene, normalsOfSurfacesLookAtTheEye)
+{
+    for (const bool rises : {true, false}) {
+        const SceneHit hit =
+            pickAt(surfacesOf({0.5f}, [rises](float z) { return rises ? z : 1.0f - z; }), 0.5, 0.5, 0.0f);
+        ASSERT_EQ(hit.kind, SceneHit::Kind::surface);
+        expectNear(glm::dvec3(hit.normal), {0.0, 0.0, 1.0});
+    }
+}
+
 /// Which of the points is nearest to a pixel, of those that are as near the one nearest to the eye.
 const vo::StipplePoint* pointNear(const std::vector<vo::StipplePoint>& points, int x, int y, double least,
                                   double most)

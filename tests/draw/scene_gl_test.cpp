@@ -842,6 +842,34 @@ TEST_P(SceneDrawing, projectionsOfTetrahedraJoinWholeRays)
         }
 }
 
+/// Rays of one value, whose opacity falls from 0.8 to 0.2: they end above the threshold.
+TEST_P(SceneDrawing, projectionsWithAThresholdShowTheEndOfWhatDoesNotFall)
+{
+    auto voxels = std::make_shared<VoxelTexture>(
+        *bytes({8, 8, 8}, 2, [](glm::dvec3 place, int c) { return c == 0 ? 0.8 : 0.2 + 0.6 * place.z; }));
+    voxels->nearest = true;
+    for (const bool hasTetras : {false, true}) {
+        StyledScene scene = sceneOf(voxels, false);
+        scene.volumes[0].projection = RayProjection{RayProjection::Type::max, 0.35f};
+        if (hasTetras) {
+            auto box = std::make_shared<StyledTetras>();
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::vec3 place(corner & 1, corner >> 1 & 1, corner >> 2);
+                box->places.push_back(place);
+                box->positions.push_back(2.0f * place - 1.0f);
+            }
+            box->indices = {0, 3, 5, 6, 1, 3, 5, 0, 2, 3, 0, 6, 4, 5, 6, 0, 7, 3, 6, 5};
+            scene.volumes[0].tetras = box;
+        }
+        ScenePicture cast;
+        castScene(scene, 0, cast);
+        for (const std::vector<float>& drawn : {picture(scene), cast.rgba}) {
+            EXPECT_NEAR(pixelAt(drawn, 27, 40)[3], 61.0f / 255.0f, 1e-4f) << hasTetras;
+            EXPECT_NEAR(pixelAt(drawn, 27, 40)[0], 0.8f * 61.0f / 255.0f, 1e-4f) << hasTetras;
+        }
+    }
+}
+
 TEST_P(SceneDrawing, projectionsOfTetrahedraStandBetweenOtherThings)
 {
     StyledScene scene = turnedScene({}, true, 4);

@@ -3,6 +3,7 @@
 #include "style/shadow_grid.h"
 #include "style/shadow_textures.h"
 #include "style/styles.h"
+#include "style/tetra_slice.h"
 
 #include <gtest/gtest.h>
 
@@ -204,6 +205,34 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
                 << at.x << " " << at.y;
         }
     }
+}
+
+TEST(Shadows, ofTetrahedraThatOverlapAreThoseOfTheFirst)
+{
+    // A flat one, and two in one place: of the second T is S of the first.
+    StyledTetras tetras;
+    tetras.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                        {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    tetras.places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}};
+    tetras.indices = {0, 1, 2, 2, 0, 1, 2, 3, 4, 5, 6, 7};
+    ShadowGrid grid;
+    grid.box = {{0, 0, 0}, {1, 1, 1}};
+    grid.size = {10, 10, 10};
+    grid.edges = glm::vec3(0.1f);
+    const TetraSlice slice = tetraSliceOf(tetras, grid, 2);
+    int within = 0;
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 10; ++x) {
+            const auto texel = static_cast<std::size_t>(10 * y + x);
+            const dvec3 center(0.1 * x + 0.05, 0.1 * y + 0.05, 0.25);
+            const bool isWithin = center.x + center.y + center.z < 1.0 - 1e-6;
+            if (std::abs(center.x + center.y + center.z - 1.0) < 1e-6) continue;
+            ASSERT_EQ(slice.tetras[texel], isWithin ? 1 : -1) << x << ", " << y;
+            if (!isWithin) continue;
+            EXPECT_LT(glm::distance(dvec3(slice.places[texel]), center), 1e-6) << x << ", " << y;
+            ++within;
+        }
+    EXPECT_EQ(within, 28);
 }
 
 /// Solid within the ball, else clear.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -167,6 +168,37 @@ TEST(stipplePoints, resolutionGoesByTheDistanceAtFirst)
     expectDensity(scene, 16.0 * 0.25 * 2.0 / 2.0);
     scene.volumes[0].stipple->resolutionFactor = 2.0f;
     expectDensity(scene, 16.0 * 0.25 * 2.0 / 4.0);
+}
+
+TEST(stipplePoints, allVoxelsHaveFewerWhereThereWouldBeTooMany)
+{
+    StippleFactors factors = plainFactors();
+    factors.gradientRetainedOpacity = 100.0f;
+    StyledScene scene = sceneOf(voxelsOf(128, [](double, double, double) { return 1.0; }), factors);
+    // 128^3 voxels of 64 would be 2^27 points, eight times the most; a sixteenth of the box is kept.
+    scene.volumes[0].clipPlanes = {{1.0, 0.0, 0.0, -0.4375}};
+    EXPECT_NEAR(static_cast<double>(pointsOf(scene, 0).size()), double(vo::kStipplePoints) / 16.0, 100.0);
+}
+
+TEST(stipplePoints, linesOfSightOfAPerspectiveMeetInTheEye)
+{
+    StippleFactors factors = plainFactors();
+    factors.silhouetteRetainedOpacity = 0.0f;
+    factors.silhouetteBoundaryOpacity = 1.0f;
+    StyledScene scene = sceneOf(kSlope(), factors);
+    scene.eyeFromWorld = glm::translate(glm::dmat4(1.0), {0.0, 0.0, -0.7});
+    scene.clipFromEye = glm::perspective(1.0, 1.0, 0.1, 20.0);
+    // Ts = 1 - |n.V| with n along x.
+    double expected = 0.0;
+    for (int z = 0; z < 16; ++z)
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x) {
+                const glm::dvec3 place = (glm::dvec3(x, y, z) + 0.5) / 16.0;
+                const double Cv = 0.25 + 0.5 * place.x;
+                const glm::dvec3 V = glm::normalize(glm::dvec3(0.0, 0.0, 0.7) - (place - 0.5));
+                expected += 16.0 * 2.0 * Cv * Cv * (1.0 - std::abs(V.x));
+            }
+    expectDensity(scene, expected / (16.0 * 16.0 * 16.0));
 }
 
 TEST(stipplePoints, fewerPointsAreTheFirstOfMore)

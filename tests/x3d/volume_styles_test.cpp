@@ -220,6 +220,7 @@ TEST(VolumeStyles, isoSurfaceOf2005IsSolidAtTheMiddle)
     const StyledVolume& volume = s.drawn.volumes.at(0);
     ASSERT_TRUE(volume.surfaces);
     EXPECT_EQ(volume.surfaces->values, std::vector<float>{0.5f});
+    EXPECT_FALSE(volume.surfaces->chains.at(0).at(0)->keepsClear()) << "clear voxels become solid";
     Sample sample = kTurned;
     sample.value = 0.5f;
     expectNear(madeOf(volume.surfaces->chains.at(0), volume.surroundings, sample), {0.25f, 0.25f, 0.25f, 1});
