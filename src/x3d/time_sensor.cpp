@@ -38,6 +38,15 @@ bool TimeSensor::begins(const Fields& fields, double now) const
     return fields.loop || fields.startTime != spentStart_;
 }
 
+/// Of the first one. What is paused in it ends later by that, or not at all.
+double TimeSensor::endOfCycle(const Fields& fields)
+{
+    const double end = fields.startTime + fields.cycleInterval;
+    if (!(fields.pauseTime > fields.startTime && fields.pauseTime < end)) return end;
+    if (fields.resumeTime <= fields.pauseTime) return std::numeric_limits<double>::infinity();
+    return end + (fields.resumeTime - fields.pauseTime);
+}
+
 bool TimeSensor::isStopped(const Fields& fields, double now) const
 {
     return fields.stopTime > start_ && now >= fields.stopTime;
@@ -93,8 +102,7 @@ std::vector<SceneEvent> TimeSensor::advance(double now)
 {
     std::vector<SceneEvent> events;
     const Fields now_ = fields();
-    if (!std::exchange(hasBegun_, true) && !now_.loop &&
-        (now_.startTime <= 0 || now_.startTime + now_.cycleInterval <= now))
+    if (!std::exchange(hasBegun_, true) && !now_.loop && (now_.startTime <= 0 || endOfCycle(now_) <= now))
         spentStart_ = now_.startTime;
     isDue_ = false;
     const bool wasActive = isActive_;

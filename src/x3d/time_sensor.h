@@ -41,6 +41,7 @@ private:
         double cycleInterval, startTime, stopTime, pauseTime, resumeTime;
     };
     Fields fields() const;
+    static double endOfCycle(const Fields& fields);
     bool begins(const Fields& fields, double now) const;
     bool ends(const Fields& fields, double now, double& elapsed) const;
     bool isStopped(const Fields& fields, double now) const;

@@ -185,6 +185,24 @@ TEST_F(SceneEventsTest, timeInPausesThatAreLeaptOverDoesNotElapse)
     EXPECT_FALSE(truth("Held", "isActive"));
 }
 
+TEST_F(SceneEventsTest, runsThatArePausedAtTheFirstTimeAreNotOver)
+{
+    const std::string run = "startTime='3' cycleInterval='4' pauseTime=";
+    read("<TimeSensor DEF='Held' " + run + "'4' resumeTime='20'/><TimeSensor DEF='Resumed' " + run +
+         "'5' resumeTime='6'/><TimeSensor DEF='Endless' " + run + "'6'/><TimeSensor DEF='Over' " + run +
+         "'7'/>");
+    events.setTime(7.5);
+    EXPECT_TRUE(truth("Held", "isPaused"));
+    EXPECT_EQ(number("Held", "fraction_changed"), 0.25f);
+    EXPECT_EQ(number("Resumed", "fraction_changed"), 0.875f);
+    EXPECT_EQ(number("Endless", "fraction_changed"), 0.75f);
+    EXPECT_FALSE(node("Over").isSet(node("Over").field("isActive")->slot));
+    events.setTime(22);
+    EXPECT_EQ(number("Held", "fraction_changed"), 0.75f);
+    EXPECT_FALSE(truth("Resumed", "isActive"));
+    EXPECT_TRUE(truth("Endless", "isActive"));
+}
+
 TEST_F(SceneEventsTest, stopTimesBeforeTheRunAreRefused)
 {
     read("<TimeSensor DEF='T' startTime='3' loop='true' stopTime='0'/>");
