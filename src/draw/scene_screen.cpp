@@ -82,6 +82,7 @@ bool SceneScreen::prefersCasting()
     const GladGLContext& gl = opened().context.gl;
     const std::string_view word = environmentText("VO_ENGINE");
     if (word == "cast" || word == "slices") return word == "cast";
+    if (!word.empty()) tellUnusable("VO_ENGINE", "slices or cast");
     const char* const renderer = reinterpret_cast<const char*>(gl.GetString(GL_RENDERER));
     for (const char* const name : {"llvmpipe", "softpipe", "SWR", "swrast"})
         if (renderer && std::strstr(renderer, name)) return true;
