@@ -45,9 +45,8 @@ public:
     bool replacesColor() const override { return true; }
     bool isClear(float low, float high) const override
     {
-        if (voxelComponents_ != 1) return false;
-        if (function_) return function_.isClear(low, high);
-        return opaqueAtZero_ ? low >= 1.0f : high <= 0.0f;
+        if (function_ && voxelComponents_ == 1) return function_.isClear(low, high);
+        return keepsClearVoxels() ? high <= 0.0f : !function_ && low >= 1.0f;
     }
     bool keepsClearVoxels() const override { return function_ ? voxelComponents_ == 4 : !opaqueAtZero_; }
     void apply(const StyleSurroundings&, SampleBatch& samples) const override;

@@ -70,8 +70,8 @@ public:
     /// A sample without opacity stays without. One that replacesColor() says so too: in an effectiveChain()
     /// it stands first or nowhere, so engines leave out clear samples after the first step alone.
     virtual bool keepsClear() const { return true; }
-    /// No sample has opacity after it whose voxel lies within low to high: known of styles that
-    /// replaceColor(), for voxels of one component.
+    /// No sample has opacity after it whose voxel, of one component, or whose firstColor()'s opacity, of
+    /// several, lies within low to high: known of styles that replaceColor().
     virtual bool isClear(float low, float high) const { return low > high; }
     /// What firstColor() makes clear is clear after it: known of styles that replaceColor(), for voxels of
     /// several components.

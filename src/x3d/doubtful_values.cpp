@@ -47,13 +47,21 @@ void lookAtRotations(const Node& node, const FieldRow& row, Doubts& doubts)
     }
 }
 
+/// What a number that voxels do not have does; MAX and MIN then choose as with the number named.
+std::string withoutVoxels(const Node& node)
+{
+    if (!node.field("intensityThreshold")) return "has no surface";
+    const std::string_view type = stringOf(node, "type");
+    return type == "AVERAGE" ? "changes nothing" : type == "MIN" ? "taken as 1" : "taken as 0";
+}
+
 void lookAtVoxelRange(const Node& node, const FieldRow& row, Doubts& doubts)
 {
     for (const float number : floatsOf(node, row.name)) {
         if (row.voxelRange->contains(static_cast<double>(number))) continue;
         doubts.push_back({fieldName(node, row.name) + ": expected numbers in " + row.voxelRange->text +
                               ", the range of voxels",
-                          numberText(number)});
+                          numberText(number) + ": " + withoutVoxels(node)});
         return;
     }
 }

@@ -61,6 +61,12 @@ bool isWithoutExtent(const glm::dmat4& matrix)
     return std::abs(glm::determinant(units)) < 1e-12;
 }
 
+bool hasScaleOfZero(const Node* node)
+{
+    const auto isZero = [](float number) { return number == 0.0f; };
+    return isOf(node, "Transform") && std::ranges::any_of(floatsOf(*node, "scale"), isZero);
+}
+
 /// All that stands below a group, shown or not.
 std::vector<const Node*> childrenOf(const Node& node)
 {
@@ -160,7 +166,7 @@ private:
             return tellOfLimit(node, "at most " + std::to_string(kMostVolumes) + " volumes in all places");
         if (isInvertible(worldFromLocal))
             found_.nodes.push_back({&node, worldFromLocal, path_, lights_, planes_});
-        else
+        else if (std::ranges::none_of(path_, hasScaleOfZero)) // which DoubtfulValues tells of
             messages_.warn(node, node.typeName() + " stands in " +
                                      (isWithoutExtent(worldFromLocal)
                                           ? "a Transform without extent"

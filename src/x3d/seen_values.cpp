@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace vo {
 namespace {
@@ -29,9 +30,25 @@ bool isClear(const StyleChain& chain, const VoxelRange& range)
     return beginsWithVoxel ? range.high <= 0.0f : chain.front()->isClear(range.low, range.high);
 }
 
+/// Those of which firstColor() makes the opacity: the mean of three.
+std::vector<int> opacityComponents(int components)
+{
+    return components == 3 ? std::vector{0, 1, 2} : std::vector{components - 1};
+}
+
+std::string whyAllIsClear(int components, const VoxelRange& range)
+{
+    const bool isOne = components == 1;
+    return std::string("expected ") + (isOne ? "values" : "opacities") +
+           " that its style shows, found voxels of " + (isOne ? "" : "the opacity ") + rangeText(range) +
+           ", which it makes clear" +
+           (!isOne && range.low >= 1.0f ? " by 1 - opacity, as the proposal of 2005 has it" : "");
+}
+
 std::string whyNoSurface(const IsoSurfaces& surfaces, const VoxelTexture& voxels, VoxelRanges& ranges)
 {
-    if (ranges.reach(voxels, [&](const VoxelRange& range) { return isCrossed(surfaces, range); })) return "";
+    if (ranges.reach(voxels, 0, [&](const VoxelRange& range) { return isCrossed(surfaces, range); }))
+        return "";
     constexpr std::size_t kMost = 8;
     std::string values;
     for (std::size_t i = 0; i < std::min(surfaces.values.size(), kMost); ++i) {
@@ -45,45 +62,47 @@ std::string whyNoSurface(const IsoSurfaces& surfaces, const VoxelTexture& voxels
 
 } // namespace
 
-VoxelRange VoxelRanges::of(const VoxelTexture& voxels)
+VoxelRange VoxelRanges::of(const VoxelTexture& voxels, int component)
 {
-    const auto [found, isNew] = ranges_.emplace(voxels.serial, kNone);
+    const auto [found, isNew] = ranges_.emplace(std::pair{voxels.serial, component}, kNone);
     VoxelRange& range = found->second;
     const auto components = static_cast<std::size_t>(voxels.components);
     for (std::size_t texel = 0; isNew && texel < voxels.size.count(); ++texel) {
-        const float value = numberAt(voxels, texel * components);
+        const float value = numberAt(voxels, texel * components + static_cast<std::size_t>(component));
         range.low = std::min(range.low, value);
         range.high = std::max(range.high, value);
     }
     return range;
 }
 
-bool VoxelRanges::reach(const VoxelTexture& voxels, const std::function<bool(const VoxelRange&)>& isEnough)
+bool VoxelRanges::reach(const VoxelTexture& voxels, int component,
+                        const std::function<bool(const VoxelRange&)>& isEnough)
 {
     // A prime: more than one column, whatever the width is, but for its multiples.
     constexpr std::size_t kStep = 61;
     const auto components = static_cast<std::size_t>(voxels.components);
     VoxelRange range = kNone;
-    for (std::size_t texel = 0; !ranges_.contains(voxels.serial) && texel < voxels.size.count();
-         texel += kStep) {
-        const float value = numberAt(voxels, texel * components);
+    const bool isKnown = ranges_.contains({voxels.serial, component});
+    for (std::size_t texel = 0; !isKnown && texel < voxels.size.count(); texel += kStep) {
+        const float value = numberAt(voxels, texel * components + static_cast<std::size_t>(component));
         if (value >= range.low && value <= range.high) continue;
         range = {std::min(range.low, value), std::max(range.high, value)};
         if (isEnough(range)) return true;
     }
-    return isEnough(of(voxels));
+    return isEnough(of(voxels, component));
 }
 
 std::string whyNothingIsSeen(const StyledVolume& volume, VoxelRanges& ranges)
 {
     const VoxelTexture& voxels = *volume.voxels;
     if (volume.surfaces) return whyNoSurface(*volume.surfaces, voxels, ranges);
-    const bool isKnown = !volume.segments && !volume.projection && !volume.stipple &&
-                         voxels.components == 1 && volume.chains.size() == 1;
-    const auto isSeen = [&](const VoxelRange& range) { return !isClear(volume.chains.front(), range); };
-    if (!isKnown || ranges.reach(voxels, isSeen)) return "";
-    return "expected values that its style shows, found voxels of " + rangeText(ranges.of(voxels)) +
-           ", which it makes clear";
+    if (volume.projection || volume.stipple || volume.chains.empty()) return "";
+    const auto isSeen = [&](const VoxelRange& range) {
+        return std::ranges::any_of(volume.chains, [&](const auto& chain) { return !isClear(chain, range); });
+    };
+    for (const int component : opacityComponents(voxels.components))
+        if (ranges.reach(voxels, component, isSeen)) return "";
+    return whyAllIsClear(voxels.components, ranges.of(voxels, voxels.components - 1));
 }
 
 } // namespace vo

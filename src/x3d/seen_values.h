@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace vo {
 
@@ -15,22 +16,22 @@ struct VoxelRange
     float low, high;
 };
 
-/// The ranges of the first component of textures, each found once.
+/// The ranges of a component of textures, each found once.
 class VoxelRanges
 {
 public:
-    VoxelRange of(const VoxelTexture& voxels);
+    VoxelRange of(const VoxelTexture& voxels, int component = 0);
     /// Whether a range that holds no other values than these voxels' is enough: few voxels are looked at
     /// where it soon is. A range that is enough stays so as it grows.
-    bool reach(const VoxelTexture& voxels, const std::function<bool(const VoxelRange&)>& isEnough);
+    bool reach(const VoxelTexture& voxels, int component,
+               const std::function<bool(const VoxelRange&)>& isEnough);
 
 private:
-    std::map<std::uint64_t, VoxelRange> ranges_; // by the texture's serial
+    std::map<std::pair<std::uint64_t, int>, VoxelRange> ranges_; // by the texture's serial and component
 };
 
 /// What tells why no eye sees anything of a volume: values that no surface meets, or that all samples are
-/// clear. "" where something may be seen, and of volumes with segments, projections, stipples, or several
-/// components of voxels.
+/// clear. "" where something may be seen, and of projections and stipples.
 std::string whyNothingIsSeen(const StyledVolume& volume, VoxelRanges& ranges);
 
 } // namespace vo

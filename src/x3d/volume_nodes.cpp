@@ -119,6 +119,7 @@ bool VolumeNodes::fillSegmented(const Node& node, StyledVolume& volume)
     const auto& renderStyles = nodesOf(node, "renderStyle");
     const auto& enabled = integersOf(node, "segmentEnabled");
     volume.chains.clear();
+    if (!segments.identifiers) return addFirstSegment(node, volume);
     segments.beyond = addSegmentChain(nullptr, node, volume);
     segments.chainOf.resize(std::max(renderStyles.size(), enabled.size()), segments.beyond);
     std::map<const Node*, int> chainOfStyle;
@@ -131,8 +132,17 @@ bool VolumeNodes::fillSegmented(const Node& node, StyledVolume& volume)
         } else if (!isOn)
             segments.chainOf[id] = -1;
     }
-    if (segments.identifiers) volume.segments = std::move(segments);
+    volume.segments = std::move(segments);
     return true;
+}
+
+/// In which all voxels are where nothing numbers them; false where it is not drawn.
+bool VolumeNodes::addFirstSegment(const Node& node, StyledVolume& volume)
+{
+    const auto& renderStyles = nodesOf(node, "renderStyle");
+    const auto& enabled = integersOf(node, "segmentEnabled");
+    if (!enabled.empty() && enabled[0] == 0) return false;
+    return addSegmentChain(renderStyles.empty() ? nullptr : renderStyles[0], node, volume) >= 0;
 }
 
 /// The chain's number, or -1 where its style is not enabled.
@@ -167,6 +177,8 @@ bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segmen
     volume.voxels = voxelsOf(node, "voxels");
     if (!volume.voxels) return false;
     const Node* const identifiers = nodeOf(node, "segmentIdentifiers");
+    const std::string consequence = "every voxel is of segment 0";
+    if (!identifiers) messages_.warn(node, node.typeName() + " has no segmentIdentifiers: " + consequence);
     auto numbers = textures_.of(identifiers, TexelUse::identifiers);
     if (!numbers) return true;
     if (!(numbers->size == volume.voxels->size)) {
@@ -175,7 +187,7 @@ bool VolumeNodes::takeIdentifiers(const Node& node, StyledVolume& volume, Segmen
         if (!url.empty()) named.append(" ").append(quotedWord(url));
         messages_.warn(*identifiers, named + ": expected segmentIdentifiers of the voxels' size, " +
                                          sizeText(volume.voxels->size) + ", found " +
-                                         sizeText(numbers->size) + ": ignored");
+                                         sizeText(numbers->size) + ": ignored, " + consequence);
         return true;
     }
     segments.scale = numbers->kind == TexelKind::uint16 ? 65535.0f : 255.0f;

@@ -45,6 +45,7 @@ private:
     bool fillSurfaces(const Node& node, StyledVolume& volume);
     bool takeSegmentedVoxels(const Node& node, StyledVolume& volume, Segments& segments);
     bool takeIdentifiers(const Node& node, StyledVolume& volume, Segments& segments);
+    bool addFirstSegment(const Node& node, StyledVolume& volume);
     int addSegmentChain(const Node* style, const Node& node, StyledVolume& volume);
     std::vector<SurfaceValue> surfaceValues(const Node& node, const VoxelTexture& voxels);
     void addContours(const Node& node, double step, const VoxelRange& range,

@@ -89,9 +89,11 @@ INSTANTIATE_TEST_SUITE_P(
     Voxels, DoubtfulValue,
     testing::Values(
         Case{isoVolume("surfaceValues='1.5'"),
-             "IsoSurfaceVolumeData.surfaceValues: expected numbers in [0,1], the range of voxels, found 1.5"},
-        Case{isoVolume("surfaceValues='0.5 -0.25'"), "IsoSurfaceVolumeData.surfaceValues: expected numbers "
-                                                     "in [0,1], the range of voxels, found -0.25"},
+             "IsoSurfaceVolumeData.surfaceValues: expected numbers in [0,1], the range of voxels, found 1.5: "
+             "has no surface"},
+        Case{isoVolume("surfaceValues='0.5 -0.25'"),
+             "IsoSurfaceVolumeData.surfaceValues: expected numbers "
+             "in [0,1], the range of voxels, found -0.25: has no surface"},
         Case{isoVolume("surfaceValues='0 1 0.5'"), ""},
         Case{isoVolume(""),
              "IsoSurfaceVolumeData.surfaceValues: expected the value of a surface, found none: "
@@ -99,7 +101,15 @@ INSTANTIATE_TEST_SUITE_P(
         Case{
             volume("<ProjectionVolumeStyle intensityThreshold='1.5'/>"),
             "ProjectionVolumeStyle.intensityThreshold: expected numbers in [0,1], the range of voxels, found "
-            "1.5"},
+            "1.5: taken as 0"},
+        Case{
+            volume("<ProjectionVolumeStyle type='MIN' intensityThreshold='2'/>"),
+            "ProjectionVolumeStyle.intensityThreshold: expected numbers in [0,1], the range of voxels, found "
+            "2: taken as 1"},
+        Case{
+            volume("<ProjectionVolumeStyle type='AVERAGE' intensityThreshold='2'/>"),
+            "ProjectionVolumeStyle.intensityThreshold: expected numbers in [0,1], the range of voxels, found "
+            "2: changes nothing"},
         Case{volume("<ProjectionVolumeStyle intensityThreshold='1'/>"), ""},
         Case{"<VolumeData/>", "VolumeData has no voxels: not drawn"}));
 
@@ -166,6 +176,10 @@ INSTANTIATE_TEST_SUITE_P(
              "Transform.scaleOrientation: expected an axis other than 0 0 0, found 0 0 0 -2: turns nothing"},
         Case{"<Transform scale='2 0 1'/>",
              "Transform.scale: expected numbers other than 0, found 2 0 1: nothing in it is drawn"},
+        Case{"<Transform scale='0 1 1'>" + volume() + "</Transform>",
+             "Transform.scale: expected numbers other than 0, found 0 1 1: nothing in it is drawn"},
+        Case{"<Transform scale='1 0 1'><Transform><Shape><Box/></Shape></Transform></Transform>",
+             "Transform.scale: expected numbers other than 0, found 1 0 1: nothing in it is drawn"},
         Case{"<Transform scale='-1 2 1'/>", ""},
         Case{"<DirectionalLight direction='0 0 0'/>", "DirectionalLight.direction: expected a direction "
                                                       "other than 0 0 0, found 0 0 0: taken as 0 0 -1"},

@@ -46,6 +46,12 @@ std::string pixels(const std::string& image, const std::string& field = "voxels"
            "</PixelTexture3D>";
 }
 
+std::string opacityMap(const std::string& function)
+{
+    return "<OpacityMapVolumeStyle><PixelTexture containerField='transferFunction' image='" + function +
+           "'/></OpacityMapVolumeStyle>";
+}
+
 /// The value at local coordinates.
 float valueAt(const StyledVolume& volume, const glm::vec3& local)
 {
@@ -360,15 +366,53 @@ TEST(VolumeNodes, segmentsOfIsoAreTheRedOfTheirIdentifiers)
     EXPECT_NE(third, first);
 }
 
+/// A volume of two voxels, whose second style is clear; its identifiers, if any, in line 3.
+std::string twoStyles(const std::string& attributes, const std::string& identifiers)
+{
+    return "<SegmentedVolumeData" + attributes + ">" + pixels("1 2 1 1 9 9") + "\n" + identifiers +
+           opacityMap("1 1 4 0xFF000080") + opacityMap("1 1 4 0") + "</SegmentedVolumeData>";
+}
+
+/// Red and half opaque, as the first of twoStyles() makes every voxel.
+void expectFirstStyle(const ViewedScene& s)
+{
+    const StyledVolume& volume = s.drawn.volumes.at(0);
+    EXPECT_FALSE(volume.segments);
+    ASSERT_EQ(volume.chains.size(), 1u);
+    ASSERT_EQ(volume.chains[0].size(), 1u);
+    SampleBatch samples;
+    samples.count = 1;
+    volume.chains[0][0]->apply({}, samples);
+    EXPECT_FLOAT_EQ(samples.Cv[0][0], 1.0f);
+    EXPECT_FLOAT_EQ(samples.Cv[1][0], 0.0f);
+    EXPECT_FLOAT_EQ(samples.Ov[0], 128 / 255.0f);
+}
+
+const std::string kShortIdentifiers = pixels("1 1 1 1 1", "segmentIdentifiers");
+
 TEST(VolumeNodes, identifiersOfAnotherSizeAreIgnored)
 {
-    const ViewedScene s("<SegmentedVolumeData>" + pixels("1 2 1 1 9 9") + "\n" +
-                        pixels("1 1 1 1 0", "segmentIdentifiers") + "</SegmentedVolumeData>");
-    EXPECT_FALSE(s.drawn.volumes.at(0).segments);
-    EXPECT_EQ(s.drawn.volumes[0].chains.size(), 1u);
+    const ViewedScene s(twoStyles("", kShortIdentifiers));
+    expectFirstStyle(s);
     EXPECT_EQ(s.messages(),
               "s.x3d:3: warning: PixelTexture3D: expected segmentIdentifiers of the voxels' size, 2 x 1 x 1, "
-              "found 1 x 1 x 1: ignored\n");
+              "found 1 x 1 x 1: ignored, every voxel is of segment 0\n");
+}
+
+TEST(VolumeNodes, withoutIdentifiersEveryVoxelIsOfSegment0)
+{
+    const std::string told =
+        "s.x3d:2: warning: SegmentedVolumeData has no segmentIdentifiers: every voxel is of segment 0\n";
+    const ViewedScene s(twoStyles("", ""));
+    expectFirstStyle(s);
+    EXPECT_EQ(s.messages(), told);
+    const ViewedScene second(twoStyles(" segmentEnabled='true false'", ""));
+    expectFirstStyle(second);
+    const ViewedScene off(twoStyles(" segmentEnabled='false true'", ""));
+    EXPECT_TRUE(off.drawn.volumes.empty());
+    EXPECT_EQ(off.messages(), told);
+    const ViewedScene plain("<SegmentedVolumeData>" + pixels("1 2 1 1 9 9") + "</SegmentedVolumeData>");
+    EXPECT_EQ(plain.drawn.volumes.at(0).chains.size(), 1u);
 }
 
 TEST(VolumeNodes, identifiersOfAnotherSizeAreNamedByTheirFile)
@@ -380,14 +424,15 @@ TEST(VolumeNodes, identifiersOfAnotherSizeAreNamedByTheirFile)
                             "\n<ImageTexture3D containerField='segmentIdentifiers' url='\"a.tif\"'/>"
                             "</SegmentedVolumeData>",
                         "4.0", folder / "");
-    EXPECT_EQ(s.messages(), "s.x3d:3: warning: ImageTexture3D \"a.tif\": expected segmentIdentifiers of the "
-                            "voxels' size, 2 x 1 x 1, found 1 x 3 x 1: ignored\n");
+    EXPECT_EQ(s.messages(),
+              "s.x3d:3: warning: ImageTexture3D \"a.tif\": expected segmentIdentifiers of the "
+              "voxels' size, 2 x 1 x 1, found 1 x 3 x 1: ignored, every voxel is of segment 0\n");
 }
 
 /// What is told of a volume of which nothing is seen, behind its line.
-void expectEmpty(const std::string& nodes, const std::string& told)
+void expectEmpty(const std::string& nodes, const std::string& told, const std::string& version = "4.0")
 {
-    const ViewedScene s(nodes);
+    const ViewedScene s(nodes, version);
     EXPECT_EQ(s.messages(), told.empty() ? "" : "s.x3d:2: warning: " + told + ": nothing of it is seen\n")
         << nodes;
 }
@@ -417,11 +462,7 @@ TEST(VolumeNodes, valuesThatNoSurfaceMeetsAreToldOf)
 TEST(VolumeNodes, stylesThatMakeAllClearAreToldOf)
 {
     const auto mapped = [](const std::string& image, const std::string& function) {
-        return "<VolumeData>" + pixels(image) +
-               (function.empty()
-                    ? ""
-                    : "<OpacityMapVolumeStyle><PixelTexture containerField='transferFunction' image='" +
-                          function + "'/></OpacityMapVolumeStyle>") +
+        return "<VolumeData>" + pixels(image) + (function.empty() ? "" : opacityMap(function)) +
                "</VolumeData>";
     };
     const std::string begin = "VolumeData: expected values that its style shows, found voxels of ";
@@ -432,13 +473,57 @@ TEST(VolumeNodes, stylesThatMakeAllClearAreToldOf)
     expectEmpty(mapped("1 2 1 1 0 128", late), "");
     expectEmpty(mapped("1 2 1 1 0 0", ""), begin + "0 alone, which it makes clear");
     expectEmpty(mapped("1 2 1 1 0 1", ""), "");
-    expectEmpty(mapped("2 2 1 1 0 0", ""), "");
     // Without a function the voxel's own opacity is what later styles change.
     const auto cartoon = [](const std::string& image) {
         return "<VolumeData>" + pixels(image) + "<CartoonVolumeStyle/></VolumeData>";
     };
     expectEmpty(cartoon("1 2 1 1 0 0"), begin + "0 alone, which it makes clear");
     expectEmpty(cartoon("1 2 1 1 0 9"), "");
+}
+
+TEST(VolumeNodes, opacitiesThatAreClearAreToldOf)
+{
+    const auto volume = [](const std::string& image, const std::string& style = "") {
+        return "<VolumeData>" + pixels(image) + style + "</VolumeData>";
+    };
+    const std::string begin =
+        "VolumeData: expected opacities that its style shows, found voxels of the opacity ";
+    const std::string clear = begin + "0 alone, which it makes clear";
+    const std::string table = opacityMap("1 1 3 0xFFFFFF");
+    expectEmpty(volume("2 2 1 1 0xFF00 0xFF00"), clear);
+    expectEmpty(volume("2 2 1 1 0xFF00 0xFF01"), "");
+    expectEmpty(volume("2 2 1 1 0xFF00 0xFF00", table), ""); // whose opacity is that of the table alone
+    expectEmpty(volume("3 2 1 1 0 0"), clear);
+    expectEmpty(volume("3 2 1 1 0 1"), "");
+    expectEmpty(volume("3 2 1 1 0 0x010000"), "");
+    expectEmpty(volume("4 2 1 1 0xFFFFFF00 0xFFFFFF00"), clear);
+    expectEmpty(volume("4 2 1 1 0xFFFFFF00 0xFFFFFF00", table), clear);
+    expectEmpty(volume("4 2 1 1 0xFFFFFF00 0x00000001", table), "");
+    expectEmpty(volume("4 2 1 1 0xFFFFFF00 0xFFFFFF00", "<CartoonVolumeStyle/>"), clear);
+    const std::string inverse =
+        begin + "1 alone, which it makes clear by 1 - opacity, as the proposal of 2005 has it";
+    expectEmpty(volume("4 2 1 1 0x123456FF 0x123456FF"), inverse, "3.0");
+    expectEmpty(volume("4 2 1 1 0x123456FF 0x123456FE"), "", "3.0");
+    expectEmpty(volume("4 2 1 1 0xFFFFFF00 0xFFFFFF00"), "", "3.0");
+    expectEmpty(volume("4 2 1 1 0x123456FF 0x123456FF", table), "", "3.0");
+    expectEmpty(volume("3 1 1 1 0xFFFFFF"), inverse, "3.0");
+    expectEmpty(volume("3 1 1 1 0xFFFEFF"), "", "3.0");
+}
+
+TEST(VolumeNodes, segmentsThatAreAllClearAreToldOf)
+{
+    const auto volume = [](const std::string& image) {
+        return "<SegmentedVolumeData>" + pixels(image) + pixels("1 2 1 1 0 1", "segmentIdentifiers") + kEdge +
+               "<CartoonVolumeStyle/></SegmentedVolumeData>";
+    };
+    const std::string begin = "SegmentedVolumeData: expected ";
+    expectEmpty(
+        volume("4 2 1 1 0xFF000000 0xFF000000"),
+        begin + "opacities that its style shows, found voxels of the opacity 0 alone, which it makes clear");
+    expectEmpty(volume("4 2 1 1 0xFF000000 0xFF000001"), "");
+    expectEmpty(volume("1 2 1 1 0 0"),
+                begin + "values that its style shows, found voxels of 0 alone, which it makes clear");
+    expectEmpty(volume("1 2 1 1 0 1"), "");
 }
 
 TEST(VolumeNodes, segmentsOf2005AreTheLastComponent)
@@ -480,7 +565,7 @@ void expectSegments(const std::string& type, int count)
 {
     const ScratchFolder folder;
     std::vector<Number> ids;
-    std::vector<std::uint8_t> values(static_cast<std::size_t>(count));
+    std::vector<std::uint8_t> values(static_cast<std::size_t>(count), 9);
     std::string enabled;
     for (int id = 0; id < count; ++id) {
         ids.push_back(static_cast<Number>(id));
