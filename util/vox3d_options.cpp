@@ -155,7 +155,8 @@ const std::vector<Option>& options()
         {"-lutFile", "FILE", true, "colours and opacities from a table, as voglBasic takes it",
          [](auto& to, auto& words) { to.lutFile = words.text("a file name"); }},
         {"-labels", "FILE", true,
-         "a volume of numbers: each voxel has the colour of its number; 0: not drawn",
+         "a volume of numbers: each voxel has the colour of its number, also in the\n"
+         "tones of cartoon and tone; 0: not drawn; not for iso, projection, stipple",
          [](auto& to, auto& words) { to.labels = words.text("a file name"); }},
         {"-view", "LATITUDE LONGITUDE", true,
          "degrees (default 0 180, the face, where the file says how the patient\nlies; else 0 0)",

@@ -279,18 +279,18 @@ private:
         if (is("projection")) return node("ProjectionVolumeStyle");
         std::vector<voX3DNode> styles;
         if (!hasColors()) styles.push_back(transferFunction(tint));
-        addNamed(styles);
+        addNamed(styles, tint);
         if (styles.empty()) return node("OpacityMapVolumeStyle");
         return styles.size() == 1 ? styles.front() : composed(styles);
     }
 
-    void addNamed(std::vector<voX3DNode>& styles)
+    void addNamed(std::vector<voX3DNode>& styles, const Color& tint)
     {
         if (is("boundary")) styles.push_back(boundary());
-        if (is("cartoon")) styles.push_back(node("CartoonVolumeStyle"));
+        if (is("cartoon")) styles.push_back(cartoon(tint));
         if (is("edge") || is("composed")) styles.push_back(edge());
         if (is("silhouette") || is("composed")) styles.push_back(silhouette());
-        if (is("tone")) styles.push_back(tone());
+        if (is("tone")) styles.push_back(tone(tint));
         if (is("shaded") || is("composed")) styles.push_back(shaded());
         if (is("stipple")) styles.push_back(node("StippleVolumeStyle"));
         if (is("blended")) styles.push_back(blended());
@@ -321,12 +321,38 @@ private:
         return style;
     }
 
-    voX3DNode tone()
+    bool hasLabels() const { return !options_.labels.empty(); }
+
+    static void setOpaqueColor(voX3DNode style, const char* field, const Color& color)
     {
+        const float numbers[4] = {float(color[0]), float(color[1]), float(color[2]), 1};
+        style.setFloats(field, numbers, 4);
+    }
+
+    /// Its colours replace those of the voxels, so a label's tint is in them: where the voxels face the eye,
+    /// and darker where they do not, which keeps its hue.
+    voX3DNode cartoon(const Color& tint)
+    {
+        constexpr double kDark = 0.2;
+        voX3DNode style = node("CartoonVolumeStyle");
+        if (!hasLabels()) return style;
+        setOpaqueColor(style, "orthogonalColor", tint);
+        setOpaqueColor(style, "parallelColor", {kDark * tint[0], kDark * tint[1], kDark * tint[2]});
+        return style;
+    }
+
+    /// Its colours, too, replace those of the voxels: labels have a part of their tint in both.
+    voX3DNode tone(const Color& tint)
+    {
+        const double inCool = hasLabels() ? 0.4 : 0, inWarm = hasLabels() ? 0.7 : 0;
+        Color cool{0.1, 0.15, 0.5}, warm{1, 0.85, 0.6};
+        for (std::size_t c = 0; c < 3; ++c) {
+            cool[c] = std::lerp(cool[c], tint[c] / 2, inCool);
+            warm[c] = std::lerp(warm[c], tint[c], inWarm);
+        }
         voX3DNode style = node("ToneMappedVolumeStyle");
-        const float cool[4] = {0.1f, 0.15f, 0.5f, 1}, warm[4] = {1, 0.85f, 0.6f, 1};
-        style.setFloats("coolColor", cool, 4);
-        style.setFloats("warmColor", warm, 4);
+        setOpaqueColor(style, "coolColor", cool);
+        setOpaqueColor(style, "warmColor", warm);
         return style;
     }
 

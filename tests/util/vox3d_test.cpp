@@ -329,6 +329,46 @@ TEST_F(Vox3dPicture, labelsChooseColoursAndHideWhatHasNone)
     EXPECT_FALSE(std::filesystem::exists(folder / "no.png"));
 }
 
+/// Halves of 1 and 2, and of 2 and 1. What a picture shows is linear in the colours of labels, so where they
+/// change places a pixel changes along the difference of the two colours, whatever the style is.
+TEST_F(Vox3dPicture, stylesWithColoursOfTheirOwnShowThoseOfLabels)
+{
+    const std::string volume = ball();
+    for (const int first : {1, 2}) {
+        std::vector<std::byte> labels(24 * 20 * 16);
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            labels[i] = std::byte(i % 24 < 12 ? first : 3 - first);
+        EXPECT_TRUE(writeTiffStack(folder / ("from" + std::to_string(first) + ".tif"),
+                                   {{24, 20, 16}, 1, ChannelType::uint8}, labels));
+    }
+    const auto change = [&](const std::string& style) {
+        std::array<std::array<int, 3>, 2> seen{};
+        for (const int first : {1, 2}) {
+            EXPECT_EQ(vox3d(volume + " -size 32 32 -style " + style + " -labels " +
+                            (folder / ("from" + std::to_string(first) + ".tif")) + " -output " +
+                            (folder / "p.png"))
+                          .output,
+                      "");
+            seen[static_cast<std::size_t>(first - 1)] = pixel(picture("p.png"), 13, 16);
+        }
+        std::array<double, 3> difference{};
+        double length = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            difference[c] = seen[0][c] - seen[1][c];
+            length += difference[c] * difference[c];
+        }
+        EXPECT_GT(length, 30 * 30) << style;
+        for (double& number : difference)
+            number /= std::max(std::sqrt(length), 1.0);
+        return difference;
+    };
+    const auto wanted = change("opacity");
+    for (const char* const style : {"cartoon", "tone"}) {
+        const auto found = change(style);
+        EXPECT_GT(wanted[0] * found[0] + wanted[1] * found[1] + wanted[2] * found[2], 0.99) << style;
+    }
+}
+
 /// The last colours of all tables of a scene, as they stand in it.
 std::vector<std::array<int, 3>> lastColors(const std::string& scene)
 {
