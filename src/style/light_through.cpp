@@ -28,10 +28,9 @@ class LightWalk
 {
 public:
     LightWalk(const ShadowGrid& grid, const StyleLight& light)
-        : grid_(grid), light_(light),
-          offset_(shadowOffset(grid.box)), size_{grid.size.x, grid.size.y, grid.size.z}, stride_{1, size_[0],
-                                                                                                 size_[0] *
-                                                                                                     size_[1]}
+        : grid_(grid),
+          light_(light), size_{grid.size.x, grid.size.y, grid.size.z}, stride_{1, size_[0],
+                                                                               size_[0] * size_[1]}
     {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             next_[axis] = size_[axis] > 1 ? stride_[axis] : 0;
@@ -67,7 +66,7 @@ private:
         steps.up = steps.axis == 2 ? 1 : 2;
         steps.sign = inTexels[static_cast<int>(steps.axis)] > 0.0f ? 1 : -1;
         steps.length = glm::length(way) / most;
-        steps.first = offset_ / steps.length;
+        steps.first = grid_.offset / steps.length;
         steps.last =
             light_.kind == StyleLight::Kind::directional ? std::numeric_limits<float>::infinity() : most;
         for (std::size_t a = 0; a < 3; ++a) {
@@ -142,7 +141,6 @@ private:
 
     const ShadowGrid& grid_;
     const StyleLight& light_;
-    float offset_;
     std::array<long, 3> size_, stride_, next_{};
     std::array<float, 3> highest_{}; ///< coordinates that have a neighbour above
 };

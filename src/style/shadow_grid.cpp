@@ -17,7 +17,8 @@ namespace vo {
 
 namespace {
 
-/// In longest edges of texels.
+/// In longest edges of texels, or lengths of voxels. Of a face whose opacity rises over a voxel, samples a
+/// voxel apart towards a light head-on lose less than 3/255 of it; with 1, up to 22/255.
 constexpr float kOffset = 1.5f;
 
 VoxelSize gridSize(const glm::vec3& sides)
@@ -235,15 +236,15 @@ std::vector<ShadowGrid::Surface> surfacesOf(const StyledVolume& volume)
 
 } // namespace
 
-float shadowOffset(const LocalBox& box)
-{
-    return kOffset * longestEdge(gridEdges(box.sides));
-}
-
 std::optional<LocalBox> shadowBoxOf(const StyledVolume& volume)
 {
     if (volume.tetras) return boundsOf(*volume.tetras);
     return LocalBox{-0.5f * volume.dimensions, volume.dimensions};
+}
+
+float shadowOffset(const StyledVolume& volume, const LocalBox& box)
+{
+    return kOffset * std::max(longestEdge(gridEdges(box.sides)), static_cast<float>(volume.unitLength));
 }
 
 ShadowGrid shadowGridOf(const StyledVolume& volume, int threads)
@@ -254,6 +255,7 @@ ShadowGrid shadowGridOf(const StyledVolume& volume, int threads)
     grid.box = *box;
     grid.size = gridSize(box->sides);
     grid.edges = gridEdges(box->sides);
+    grid.offset = shadowOffset(volume, *box);
     grid.texels.resize(grid.size.count());
     grid.hasSurfaces = volume.surfaces.has_value();
     if (grid.hasSurfaces) grid.surfaces = surfacesOf(volume);

@@ -31,17 +31,20 @@ struct ShadowGrid
     LocalBox box;
     VoxelSize size;
     glm::vec3 edges{1.0f};         ///< of a texel, local
+    float offset = 0.0f;           ///< shadowOffset()
     std::vector<float> texels;     ///< optical depth of a unit of local length; for surfaces the value, none
                                    ///< where clipped or outside
     bool hasSurfaces = false;      ///< light ends at them instead
     std::vector<Surface> surfaces; ///< rising
 };
 
-/// How far from a sample, local, its shadows begin, so that the texels of a surface do not darken itself.
-float shadowOffset(const LocalBox& box);
-
 /// Nothing for tetrahedra that enclose nothing.
 std::optional<LocalBox> shadowBoxOf(const StyledVolume& volume);
+
+/// How far from a sample, local, its shadows begin, so that a surface does not darken itself: as far as its
+/// opacity may take to rise and the first samples may lie within it, a matter of voxels, and the reach of
+/// texels.
+float shadowOffset(const StyledVolume& volume, const LocalBox& box);
 
 /// The opacity that samples have after their chain, seen along their normal: of styles that look at the eye
 /// too. Clipped parts are clear. A surface has the opacity of its chain for a voxel of its value. In up to

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -65,7 +66,9 @@ StyledVolume volumeOf(std::shared_ptr<const VoxelTexture> voxels, const glm::vec
     volume.dimensions = dimensions;
     volume.chains = {{shadedWithShadows()}};
     volume.surroundings.lights = lights;
-    volume.unitLength = 0.25;
+    const VoxelSize& size = volume.voxels->size;
+    const glm::vec3 edges = dimensions / glm::vec3(size.x, size.y, size.z);
+    volume.unitLength = static_cast<double>(std::min({edges.x, edges.y, edges.z}));
     return volume;
 }
 
@@ -98,6 +101,11 @@ StyledVolume shadowed(StyledVolume volume)
     return volume;
 }
 
+double offsetOf(const StyledVolume& volume)
+{
+    return static_cast<double>(shadowOffset(volume, shadowBoxOf(volume).value()));
+}
+
 /// From a place in a box to where the ray leaves it, or to the light.
 double lengthOfWay(const dvec3& dimensions, const dvec3& from, const StyleLight& light)
 {
@@ -118,10 +126,12 @@ TEST(Shadows, ofAConstantVolumeFallWithTheLengthOfTheWay)
     for (const StyleLight& light :
          {sunOf({0, 0, -1}), sunOf({0.3f, -0.8f, 0.5f}), sunOf({-1, 0.9f, -0.95f}), lampAt({0, 4, 0}),
           lampAt({-1.5f, 0.3f, 0.9f}), lampAt({0.4f, 0.2f, -0.1f})}) {
-        const StyledVolume volume = shadowed(
-            volumeOf(voxelsOf({5, 4, 3}, [&](const dvec3&) { return opacity; }), dimensions, {light}));
-        const double offset = static_cast<double>(shadowOffset({-0.5f * dimensions, dimensions}));
-        EXPECT_LT(offset, 0.05);
+        StyledVolume volume =
+            volumeOf(voxelsOf({5, 4, 3}, [&](const dvec3&) { return opacity; }), dimensions, {light});
+        volume.unitLength = 0.25;
+        volume = shadowed(volume);
+        const double offset = offsetOf(volume);
+        EXPECT_NEAR(offset, 1.5 * 0.25, 1e-6);
         for (const double x : {-0.9, -0.31, 0.02, 0.77})
             for (const double y : {-0.7, -0.2, 0.55})
                 for (const double z : {-0.45, 0.04, 0.4}) {
@@ -182,6 +192,7 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
     const glm::vec3 low(3.0f, -2.0f, 1.0f);
     StyledVolume volume = volumeOf(voxelsOf({4, 4, 4}, [&](const dvec3&) { return opacity; }),
                                    glm::vec3(1.0f), {sunOf({0, -1, 0})});
+    volume.unitLength = 0.1;
     // One tetrahedron, its edges of three lengths.
     auto tetra = std::make_shared<StyledTetras>();
     tetra->places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -192,7 +203,7 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
          {sunOf({0, -1, 0}), sunOf({-1, 0, 0}), lampAt(low + glm::vec3(0.5f, 4.0f, 0.2f))}) {
         volume.surroundings.lights = {light};
         const StyledVolume seen = shadowed(volume);
-        const double offset = static_cast<double>(shadowOffset({low, {2, 3, 1}}));
+        const double offset = offsetOf(volume);
         for (const dvec3 at : {dvec3(0.2, 0.3, 0.2), dvec3(1.0, 0.5, 0.1), dvec3(0.3, 1.2, 0.3)}) {
             const dvec3 from = dvec3(low) + at;
             const dvec3 way = light.kind == StyleLight::Kind::directional
@@ -201,7 +212,7 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
             // To the face where x / 2 + y / 3 + z is 1; none of the ways leaves by another one.
             const dvec3 slope(0.5, 1.0 / 3.0, 1.0);
             const double length = (1.0 - glm::dot(slope, at)) / glm::dot(slope, way) - offset;
-            EXPECT_NEAR(lightAt(seen, from), std::pow(1.0 - opacity, length / 0.25), 0.015)
+            EXPECT_NEAR(lightAt(seen, from), std::pow(1.0 - opacity, std::max(length, 0.0) / 0.1), 0.015)
                 << at.x << " " << at.y;
         }
     }
@@ -233,6 +244,71 @@ TEST(Shadows, ofTetrahedraThatOverlapAreThoseOfTheFirst)
             ++within;
         }
     EXPECT_EQ(within, 28);
+}
+
+TEST(Shadows, beginBeyondTheLongerOfTexelsAndVoxels)
+{
+    const glm::vec3 dimensions(2.0f, 1.0f, 1.0f);
+    StyledVolume volume = volumeOf(voxelsOf({16, 8, 8}, [](const dvec3&) { return 1.0; }), dimensions, {});
+    EXPECT_NEAR(offsetOf(volume), 1.5 * 2.0 / 16.0, 1e-6);
+    volume.unitLength = 2.0 / 512.0;
+    EXPECT_NEAR(offsetOf(volume), 1.5 * 2.0 / 128.0, 1e-6);
+}
+
+/// What samples a voxel apart from `start` on show of their light, seen from it: front to back.
+double shownTowardsTheLight(const StyledVolume& volume, const dvec3& start, const dvec3& away, double phase,
+                            const std::function<double(const dvec3&)>& opacityAt)
+{
+    double shown = 0.0, clear = 1.0;
+    for (double step = phase; clear > 1e-3 && step < 200.0; step += 1.0) {
+        const dvec3 at = start + away * (step * volume.unitLength);
+        const double opacity = opacityAt(at);
+        if (opacity > 0.0) shown += clear * opacity * lightAt(volume, at);
+        clear *= 1.0 - opacity;
+    }
+    return shown / (1.0 - clear);
+}
+
+// A floor below y = 0, in a cube of 1: its opacity rises over the voxel between two centres.
+TEST(Shadows, ofAFaceDoNotFallOnItself)
+{
+    for (const int size : {16, 40})
+        for (const glm::vec3 direction : {glm::vec3(0, -1, 0), glm::vec3(0.3f, -1, 0.2f)}) {
+            const StyleLight light = sunOf(direction);
+            const StyledVolume volume = shadowed(volumeOf(
+                voxelsOf({size, size, size}, [](const dvec3& place) { return place.y < 0.5 ? 1.0 : 0.0; }),
+                glm::vec3(1.0f), {light}));
+            const auto opacityAt = [&](const dvec3& at) { return std::clamp(0.5 - at.y * size, 0.0, 1.0); };
+            const dvec3 away(light.direction);
+            for (double phase = 0.0; phase < 1.0; phase += 0.05)
+                EXPECT_GT(shownTowardsTheLight(volume, -away * (4.0 / size), away, phase, opacityAt),
+                          1.0 - 4.0 / 255.0)
+                    << size << ", " << phase;
+        }
+}
+
+// Between the light and the floor, 2 voxels thick.
+TEST(Shadows, ofABlockAreAsDarkAsItIsThick)
+{
+    const double opacity = 102.0 / 255.0;
+    for (const int size : {16, 40}) {
+        const double low = 0.7, voxel = 1.0 / size;
+        const auto valueAt = [&](const dvec3& place) {
+            if (place.y < 0.5) return 1.0;
+            const bool isBlock = place.x > 0.5 && place.y > low && place.y < low + 2.0 * voxel;
+            return isBlock ? opacity : 0.0;
+        };
+        const StyledVolume volume =
+            shadowed(volumeOf(voxelsOf({size, size, size}, valueAt), glm::vec3(1.0f), {sunOf({0, -1, 0})}));
+        // A voxel between the two centres, and one at either side over which the opacity goes from 0 to O.
+        const double clear = 1.0 - opacity;
+        const double ramp = (clear * std::log(clear) + opacity) / opacity;
+        const double expected = clear * std::exp(-2.0 * ramp);
+        for (const double x : {0.15, 0.3}) {
+            EXPECT_NEAR(lightAt(volume, {x, 0.02, 0.1}), expected, 0.02) << size << ", " << x;
+            EXPECT_GT(lightAt(volume, {-x, 0.02, 0.1}), 0.99) << size << ", " << x;
+        }
+    }
 }
 
 /// Solid within the ball, else clear.
@@ -290,12 +366,14 @@ TEST(Shadows, ofWhatIsNotDrawnAreNone)
 {
     const StyleLight light = sunOf({-1, 0, 0});
     const dvec3 behind(-0.3, 0, 0);
-    EXPECT_LT(lightAt(shadowed(volumeOf(halfSolid(), kLong, {light})), behind), 0.01);
-    StyledVolume clipped = volumeOf(halfSolid(), kLong, {light});
+    StyledVolume solid = volumeOf(halfSolid(), kLong, {light});
+    solid.unitLength = 0.25; // of which the rise of a voxel is little
+    EXPECT_LT(lightAt(shadowed(solid), behind), 0.01);
+    StyledVolume clipped = solid;
     clipped.worldFromLocal[3] = {5, 0, 0, 1};
     clipped.clipPlanes = {{-1, 0, 0, 5}};
     EXPECT_GT(lightAt(shadowed(clipped), behind), 0.95);
-    StyledVolume segmented = volumeOf(halfSolid(), kLong, {light});
+    StyledVolume segmented = solid;
     segmented.segments = Segments{halfSolid(), 0, 1.0f, {0, -1}, 0};
     EXPECT_GT(lightAt(shadowed(segmented), behind), 0.95);
     segmented.segments->chainOf = {0, 0};

@@ -343,7 +343,7 @@ double throughTo(const StyledVolume& volume, const StyleLight& light, const dvec
         end = std::min(end, glm::distance(dvec3(light.position), position));
     const double step = volume.unitLength / 3.0;
     double through = 1.0;
-    for (double at = static_cast<double>(shadowOffset(box)); at < end; at += step) {
+    for (double at = static_cast<double>(shadowOffset(volume, box)); at < end; at += step) {
         const double part = std::min(step, end - at);
         through *= std::pow(1.0 - opacityToLight(volume, position + L * (at + part / 2.0)),
                             part / volume.unitLength);
