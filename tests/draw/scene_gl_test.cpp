@@ -918,6 +918,7 @@ TEST_P(SceneDrawing, shadowsAreThoseOfTheCpuEngine)
     StyledScene scene = turnedScene({makeStyle(shaded)});
     StyledVolume& volume = scene.volumes[0];
     volume.dimensions = {2.0f, 0.8f, 0.5f}; // shadows of few texels
+    volume.unitLength = 0.05;
     std::vector<StyleLight>& lights = volume.surroundings.lights;
     lights.insert(lights.end(), lights.begin(), lights.begin() + 2);
     lights[3].direction = -lights[3].direction;

@@ -110,9 +110,24 @@ TEST_P(StyledVolumeGl, bothEnginesDrawTheReference)
         }
 }
 
+/// Two soft balls, one of which keeps the light of -x in eye space from the other.
+void setTwoBalls(Voxels& voxels)
+{
+    const glm::dvec3 middle(0.5 * (kVoxels - 1));
+    const glm::dvec3 way = glm::inverse(glm::dmat3(turned())) * glm::dvec3(2.2, 0, 0);
+    for (int i = 0; i < kVoxels * kVoxels * kVoxels; ++i) {
+        const glm::dvec3 place(i % kVoxels, i / kVoxels % kVoxels, i / kVoxels / kVoxels);
+        const double distance =
+            std::min(glm::length(place - middle - way), glm::length(place - middle + way));
+        voxels.values[static_cast<std::size_t>(i)] =
+            static_cast<unsigned char>(std::clamp(380.0 - 120.0 * distance, 0.0, 255.0));
+    }
+}
+
 TEST_P(StyledVolumeGl, shadowsFallAsInTheReference)
 {
-    const Voxels voxels;
+    Voxels voxels;
+    setTwoBalls(voxels);
     voX3DScene scene;
     voX3DNode shaded = scene.createNode("ShadedVolumeStyle");
     shaded.setInt("lighting", 1);
@@ -176,7 +191,8 @@ double unitOf(const StyledTetras& tetras)
 
 TEST_P(StyledVolumeGl, shadowsInBentTetrahedraFallAsInTheReference)
 {
-    const Voxels voxels;
+    Voxels voxels;
+    setTwoBalls(voxels);
     Bent bent;
     voIndexedTetraSet tetras(bent.records.data(), 8, 6, bent.indices, 20);
     voX3DScene scene;
