@@ -59,6 +59,23 @@ std::vector<double> referenceOf(StyledScene scene)
 class StyledVolumeGl : public ProgramScreen
 {
 protected:
+    /// By a light along -x, with those that the style throws, and not without.
+    void expectShadows(voX3DStyledVolume& volume, voX3DNode& style, const glm::dmat4& projection,
+                       const std::vector<double>& reference)
+    {
+        volume.setHeadlight(VO_FALSE);
+        volume.addLight(-1, 0, 0, 1);
+        for (const voEngine engine : kEngines) {
+            style.setInt("shadows", 0);
+            context_->clear();
+            EXPECT_LT(psnr(drawn(volume, turned(), projection, engine), reference), 35.0)
+                << "shadows change next to nothing";
+            style.setInt("shadows", 1);
+            context_->clear();
+            EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike) << engine;
+        }
+    }
+
     /// An opaque rectangle as a program would have drawn it: its colour, and its depth in the window.
     void fill(int x, int y, int width, int height, const glm::vec4& color, double depth)
     {
@@ -141,17 +158,7 @@ TEST_P(StyledVolumeGl, shadowsFallAsInTheReference)
     expected.volumes[0].surroundings.lights = {side};
     const std::vector<double> reference = referenceOf(expected);
     voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks));
-    volume.setHeadlight(VO_FALSE);
-    volume.addLight(-1, 0, 0, 1);
-    for (const voEngine engine : kEngines) {
-        shaded.setInt("shadows", 0);
-        context_->clear();
-        EXPECT_LT(psnr(drawn(volume, turned(), projection, engine), reference), 35.0)
-            << "shadows change next to nothing";
-        shaded.setInt("shadows", 1);
-        context_->clear();
-        EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike) << engine;
-    }
+    expectShadows(volume, shaded, projection, reference);
 }
 
 /// The volume as five tetrahedra, bent: records of voxel coordinates and positions, in voxels.
@@ -214,17 +221,7 @@ TEST_P(StyledVolumeGl, shadowsInBentTetrahedraFallAsInTheReference)
     const std::vector<double> reference = referenceOf(expected);
     voX3DStyledVolume volume(scene, shaded, const_cast<voBrickSetCollection*>(&voxels.bricks), &tetras,
                              voInterleavedArrayTypeScope::T3F_V3F);
-    volume.setHeadlight(VO_FALSE);
-    volume.addLight(-1, 0, 0, 1);
-    for (const voEngine engine : kEngines) {
-        shaded.setInt("shadows", 0);
-        context_->clear();
-        EXPECT_LT(psnr(drawn(volume, turned(), projection, engine), reference), 35.0)
-            << "shadows change next to nothing";
-        shaded.setInt("shadows", 1);
-        context_->clear();
-        EXPECT_GT(psnr(drawn(volume, turned(), projection, engine), reference), kAlike) << engine;
-    }
+    expectShadows(volume, shaded, projection, reference);
 }
 
 // ---- What the program has drawn before
