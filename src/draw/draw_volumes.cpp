@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 namespace vo {
@@ -50,7 +49,7 @@ void replaceList(VoxelTexture& texture, std::span<const Number> numbers)
 {
     const VoxelSize size = listSize(numbers.size());
     std::vector<std::byte> texels(size.count() * sizeof(Number));
-    std::memcpy(texels.data(), numbers.data(), numbers.size_bytes());
+    std::ranges::copy(std::as_bytes(numbers), texels.begin());
     texture.components = sizeof(Number) / sizeof(float);
     replaceTexels(texture, TexelKind::float32, size, std::move(texels));
 }
@@ -132,7 +131,7 @@ bool DrawnVolume::findClearBlocks()
     if (clear.empty()) return false;
     const VoxelSize size{clear.count().x, clear.count().y, clear.count().z};
     std::vector<std::byte> texels(size.count());
-    std::memcpy(texels.data(), clear.distances().data(), texels.size());
+    std::ranges::copy(std::as_bytes(std::span(clear.distances()).first(texels.size())), texels.begin());
     replaceTexels(clearBlocks_, TexelKind::uint8, size, std::move(texels));
     return true;
 }
