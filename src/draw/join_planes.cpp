@@ -75,13 +75,6 @@ SceneProgram& programOf(ScenePrograms& programs, const RayProjection& projection
                              kStateFunctions + mainFunction);
 }
 
-void filterNone(const GladGLContext& gl, GLenum target)
-{
-    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
 GLuint makeFloats(const GladGLContext& gl, int width, int height)
 {
     GLuint texture = 0;

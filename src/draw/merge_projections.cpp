@@ -1,6 +1,7 @@
 #include "draw/merge_projections.h"
 
 #include "draw/scoped_state.h"
+#include "draw/volume_shaders.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,14 +10,6 @@
 namespace vo {
 
 namespace {
-
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec2 corner;
-void main()
-{
-    gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
 
 // Faces that lie in one plane may differ by the rounding of depths.
 constexpr const char* kFragmentShader = R"(
@@ -95,9 +88,7 @@ void ProjectionMerger::prepare(int width, int height, std::size_t count)
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_);
     gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, width, height, static_cast<GLsizei>(count), 0, GL_RGBA,
                   GL_FLOAT, nullptr);
-    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
+    filterNone(gl, GL_TEXTURE_2D_ARRAY);
     gl.GenFramebuffers(1, &framebuffer_);
     width_ = width;
     height_ = height;
@@ -116,8 +107,10 @@ void ProjectionMerger::bind(std::size_t layer) const
 void ProjectionMerger::use()
 {
     const GladGLContext& gl = resources_.context.gl;
-    program_ = &resources_.programs.find(kVertexShader, "#version 330 core\n#define PROJECTIONS " +
-                                                            std::to_string(count_) + "\n" + kFragmentShader);
+    const std::string version = "#version 330 core\n";
+    program_ = &resources_.programs.find(version + kPictureVertexShader, version + "#define PROJECTIONS " +
+                                                                             std::to_string(count_) + "\n" +
+                                                                             kFragmentShader);
     program_->use();
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D_ARRAY, layers_);

@@ -4,6 +4,13 @@
 
 namespace vo {
 
+void filterNone(const GladGLContext& gl, GLenum target)
+{
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.TexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
 SceneArrays::SceneArrays(const SceneContext& context) : context_(context)
 {
     context_.gl.GenVertexArrays(1, &array_);

@@ -14,6 +14,9 @@ struct SceneResources
     StyleTextures textures{context};
 };
 
+/// Of the texture that is bound: it has one level, and no filter reaches from texel to texel.
+void filterNone(const GladGLContext& gl, GLenum target);
+
 /// A vertex array with its buffers, deleted with it.
 class SceneArrays
 {

@@ -80,13 +80,14 @@ public:
         for (const glm::dvec4& plane : volume.clipPlanes)
             clipPlanes_.push_back(plane * volume.worldFromLocal);
         needsNormals_ = std::ranges::any_of(volume.chains, needNormals);
+        if (volume.tetras) tetras_.emplace(*volume.tetras, grid);
         const glm::vec3 edges = volume.dimensions / voxelCounts_;
         shortestEdge_ = std::min({edges.x, edges.y, edges.z});
     }
 
     void fillSlice(int z) const
     {
-        const TetraSlice slice = volume_.tetras ? tetraSliceOf(*volume_.tetras, grid_, z) : TetraSlice();
+        const TetraSlice slice = tetras_ ? tetras_->slice(z) : TetraSlice();
         for (int y = 0; y < grid_.size.y; ++y)
             for (int first = 0; first < grid_.size.x; first += kBatchSize) {
                 const VoxelSize& size = grid_.size;
@@ -95,7 +96,7 @@ public:
                 placeTexels({first, y, z}, row.samples);
                 const std::size_t inSlice = static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) +
                                             static_cast<std::size_t>(first);
-                if (volume_.tetras) moveIntoTetras(slice, inSlice, row);
+                if (tetras_) moveIntoTetras(slice, inSlice, row);
                 const std::size_t before = static_cast<std::size_t>(z) * static_cast<std::size_t>(size.x) *
                                            static_cast<std::size_t>(size.y);
                 float* const to = grid_.texels.data() + before + inSlice;
@@ -208,6 +209,7 @@ private:
     const StyledVolume& volume_;
     ShadowGrid& grid_;
     std::vector<glm::dvec4> clipPlanes_; ///< local
+    std::optional<TetraSlicer> tetras_;
     glm::vec3 voxelCounts_;
     float shortestEdge_ = 0.0f;
     bool needsNormals_ = false;

@@ -64,25 +64,27 @@ void addTetra(const TetraCorners& corners, int tetra, const ShadowGrid& grid, in
         }
 }
 
-bool reaches(const TetraCorners& corners, double z)
-{
-    const auto [low, high] =
-        std::ranges::minmax(corners.positions, {}, [](const glm::dvec3& corner) { return corner.z; });
-    return low.z <= z && z <= high.z;
-}
-
 } // namespace
 
-TetraSlice tetraSliceOf(const StyledTetras& tetras, const ShadowGrid& grid, int z)
+TetraSlicer::TetraSlicer(const StyledTetras& tetras, const ShadowGrid& grid)
+    : tetras_(tetras), grid_(grid), near_(static_cast<std::size_t>(grid.size.z))
 {
-    const std::size_t texels = static_cast<std::size_t>(grid.size.x) * static_cast<std::size_t>(grid.size.y);
-    TetraSlice slice{std::vector(texels, -1), std::vector(texels, glm::vec3(0.0f))};
-    const double at = centerOf(grid, 2, z);
     for (std::size_t tetra = 0; 4 * tetra + 4 <= tetras.indices.size(); ++tetra) {
         const std::optional<TetraCorners> corners = cornersOf(tetras, tetra);
-        if (corners && reaches(*corners, at) && corners->placeFromLocal())
-            addTetra(*corners, static_cast<int>(tetra), grid, z, slice);
+        if (!corners || !corners->placeFromLocal()) continue;
+        const TexelRange slices = rangeOf(*corners, grid, 2, grid.size.z);
+        for (int z = slices.first; z <= slices.last; ++z)
+            near_[static_cast<std::size_t>(z)].push_back(static_cast<int>(tetra));
     }
+}
+
+TetraSlice TetraSlicer::slice(int z) const
+{
+    const std::size_t texels =
+        static_cast<std::size_t>(grid_.size.x) * static_cast<std::size_t>(grid_.size.y);
+    TetraSlice slice{std::vector(texels, -1), std::vector(texels, glm::vec3(0.0f))};
+    for (const int tetra : near_[static_cast<std::size_t>(z)])
+        addTetra(*cornersOf(tetras_, static_cast<std::size_t>(tetra)), tetra, grid_, z, slice);
     return slice;
 }
 

@@ -60,19 +60,34 @@ std::string whyNoSurface(const IsoSurfaces& surfaces, const VoxelTexture& voxels
            rangeText(ranges.of(voxels));
 }
 
+/// Takes every so many voxels into a range, until it is enough: whether it was.
+bool grow(VoxelRange& range, const VoxelTexture& voxels, int component, std::size_t step,
+          const std::function<bool(const VoxelRange&)>& isEnough)
+{
+    const auto components = static_cast<std::size_t>(voxels.components);
+    for (std::size_t texel = 0; texel < voxels.size.count(); texel += step) {
+        const float value = numberAt(voxels, texel * components + static_cast<std::size_t>(component));
+        if (value >= range.low && value <= range.high) continue;
+        range = {std::min(range.low, value), std::max(range.high, value)};
+        if (isEnough(range)) return true;
+    }
+    return false;
+}
+
 } // namespace
+
+VoxelRanges::Known& VoxelRanges::known(const VoxelTexture& voxels, int component)
+{
+    return ranges_.emplace(std::pair{voxels.serial, component}, Known{kNone}).first->second;
+}
 
 VoxelRange VoxelRanges::of(const VoxelTexture& voxels, int component)
 {
-    const auto [found, isNew] = ranges_.emplace(std::pair{voxels.serial, component}, kNone);
-    VoxelRange& range = found->second;
-    const auto components = static_cast<std::size_t>(voxels.components);
-    for (std::size_t texel = 0; isNew && texel < voxels.size.count(); ++texel) {
-        const float value = numberAt(voxels, texel * components + static_cast<std::size_t>(component));
-        range.low = std::min(range.low, value);
-        range.high = std::max(range.high, value);
-    }
-    return range;
+    Known& found = known(voxels, component);
+    if (found.isWhole) return found.range;
+    grow(found.range, voxels, component, 1, [](const VoxelRange&) { return false; });
+    found.isWhole = true;
+    return found.range;
 }
 
 bool VoxelRanges::reach(const VoxelTexture& voxels, int component,
@@ -80,15 +95,9 @@ bool VoxelRanges::reach(const VoxelTexture& voxels, int component,
 {
     // A prime: more than one column, whatever the width is, but for its multiples.
     constexpr std::size_t kStep = 61;
-    const auto components = static_cast<std::size_t>(voxels.components);
-    VoxelRange range = kNone;
-    const bool isKnown = ranges_.contains({voxels.serial, component});
-    for (std::size_t texel = 0; !isKnown && texel < voxels.size.count(); texel += kStep) {
-        const float value = numberAt(voxels, texel * components + static_cast<std::size_t>(component));
-        if (value >= range.low && value <= range.high) continue;
-        range = {std::min(range.low, value), std::max(range.high, value)};
-        if (isEnough(range)) return true;
-    }
+    Known& found = known(voxels, component);
+    if (found.range.low <= found.range.high && isEnough(found.range)) return true;
+    if (!found.isWhole && grow(found.range, voxels, component, kStep, isEnough)) return true;
     return isEnough(of(voxels, component));
 }
 

@@ -16,7 +16,7 @@ struct VoxelRange
     float low, high;
 };
 
-/// The ranges of a component of textures, each found once.
+/// The ranges of a component of textures, each found once, whole or as far as it was enough.
 class VoxelRanges
 {
 public:
@@ -27,7 +27,15 @@ public:
                const std::function<bool(const VoxelRange&)>& isEnough);
 
 private:
-    std::map<std::pair<std::uint64_t, int>, VoxelRange> ranges_; // by the texture's serial and component
+    struct Known
+    {
+        VoxelRange range;
+        bool isWhole = false;
+    };
+
+    Known& known(const VoxelTexture& voxels, int component);
+
+    std::map<std::pair<std::uint64_t, int>, Known> ranges_; // by the texture's serial and component
 };
 
 /// What tells why no eye sees anything of a volume: values that no surface meets, or that all samples are

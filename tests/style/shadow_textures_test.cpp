@@ -230,7 +230,7 @@ TEST(Shadows, ofTetrahedraThatOverlapAreThoseOfTheFirst)
     grid.box = {{0, 0, 0}, {1, 1, 1}};
     grid.size = {10, 10, 10};
     grid.edges = glm::vec3(0.1f);
-    const TetraSlice slice = tetraSliceOf(tetras, grid, 2);
+    const TetraSlice slice = TetraSlicer(tetras, grid).slice(2);
     int within = 0;
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 10; ++x) {
