@@ -55,16 +55,27 @@ struct Weighted
     double weight;
 };
 
-/// The texels that count at a place along one axis.
-std::vector<Weighted> weightsAlong(const VoxelTexture& texture, int axis, double place)
+/// The texels that count at a place along one axis: two, or the nearest. No list: they are asked for many
+/// times a sample, and what is allocated is checked under sanitizers.
+struct TexelWeights
+{
+    std::array<Weighted, 2> texels;
+    int count;
+
+    const Weighted* begin() const { return texels.data(); }
+    const Weighted* end() const { return texels.data() + count; }
+};
+
+TexelWeights weightsAlong(const VoxelTexture& texture, const TextureReading& reading, int axis, double place)
 {
     const int size = texture.size[axis];
-    const bool repeats = texture.repeats[static_cast<std::size_t>(axis)];
-    if (texture.nearest) return {{wrapped(static_cast<int>(std::floor(place * size)), size, repeats), 1.0}};
+    const bool repeats = reading.repeats[static_cast<std::size_t>(axis)];
+    if (reading.nearest)
+        return {{{{wrapped(static_cast<int>(std::floor(place * size)), size, repeats), 1.0}, {}}}, 1};
     const double at = place * size - 0.5;
     const int low = static_cast<int>(std::floor(at));
     const double above = at - low;
-    return {{wrapped(low, size, repeats), 1.0 - above}, {wrapped(low + 1, size, repeats), above}};
+    return {{{{wrapped(low, size, repeats), 1.0 - above}, {wrapped(low + 1, size, repeats), above}}}, 2};
 }
 
 double valueOf(const VoxelTexture& voxels, const dvec3& place)
@@ -153,12 +164,11 @@ void step(const OpacityMap& style, const StyleSurroundings&, ReferenceSample& sa
         if (style.opaqueAtZero) sample.Ov = 1.0 - sample.Ov;
         return;
     }
-    VoxelTexture function = *style.transferFunction;
-    function.repeats = {};
+    const VoxelTexture& function = *style.transferFunction;
     dvec3 place(0.0);
     for (int axis = 0; axis < std::min(style.voxelComponents, 3); ++axis)
         place[axis] = std::clamp(sample.voxel[axis], 0.0, 1.0);
-    const dvec4 texel = referenceTexel(function, place);
+    const dvec4 texel = referenceTexel(function, place, {{}, function.nearest});
     switch (function.components) {
     case 1: sample.Cv = dvec3(texel.r), sample.Ov = 1.0; break;
     case 2: sample.Cv = dvec3(texel.r), sample.Ov = texel.g; break;
@@ -266,9 +276,7 @@ double blendWeight(Blended::Weight function, float constant, const TexturePointe
     case Blended::Weight::table: break;
     }
     if (!table) return static_cast<double>(constant);
-    VoxelTexture clamped = *table;
-    clamped.repeats = {};
-    return referenceTexel(clamped, {first, second, 0.0}).r;
+    return referenceTexel(*table, {first, second, 0.0}, {{}, table->nearest}).r;
 }
 
 void step(const Blended& style, const StyleSurroundings& surroundings, ReferenceSample& sample)
@@ -331,10 +339,17 @@ void referenceChain(const StyleChain& chain, const StyleSurroundings& surroundin
 
 dvec4 referenceTexel(const VoxelTexture& texture, const dvec3& place)
 {
+    return referenceTexel(texture, place, {texture.repeats, texture.nearest});
+}
+
+dvec4 referenceTexel(const VoxelTexture& texture, const dvec3& place, const TextureReading& reading)
+{
     dvec4 sum(0.0);
-    for (const Weighted& z : weightsAlong(texture, 2, place.z))
-        for (const Weighted& y : weightsAlong(texture, 1, place.y))
-            for (const Weighted& x : weightsAlong(texture, 0, place.x))
+    const TexelWeights along = weightsAlong(texture, reading, 0, place.x);
+    const TexelWeights across = weightsAlong(texture, reading, 1, place.y);
+    for (const Weighted& z : weightsAlong(texture, reading, 2, place.z))
+        for (const Weighted& y : across)
+            for (const Weighted& x : along)
                 for (int c = 0; c < texture.components; ++c)
                     sum[c] +=
                         x.weight * y.weight * z.weight * texelValue(texture, x.texel, y.texel, z.texel, c);

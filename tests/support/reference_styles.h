@@ -42,6 +42,14 @@ void referenceChain(const StyleChain& chain, const StyleSurroundings& surroundin
 
 /// A texture at a place, as voxel_texture.h says; components it lacks are 0.
 glm::dvec4 referenceTexel(const VoxelTexture& texture, const glm::dvec3& place);
+/// The same where it is read otherwise than it says itself.
+struct TextureReading
+{
+    std::array<bool, 3> repeats{};
+    bool nearest = false;
+};
+glm::dvec4 referenceTexel(const VoxelTexture& texture, const glm::dvec3& place,
+                          const TextureReading& reading);
 /// The normal that a texel 0 to 1 stands for: unit, or 0.
 glm::dvec3 referenceNormal(const glm::dvec4& texel);
 /// Df in local space: central differences of the value, one voxel to each side, over the shortest edge of a

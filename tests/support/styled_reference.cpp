@@ -303,9 +303,8 @@ const StyleChain* chainAt(const StyledVolume& volume, const dvec3& place)
 {
     if (!volume.segments) return &volume.chains.at(0);
     const Segments& segments = *volume.segments;
-    VoxelTexture identifiers = *segments.identifiers;
-    identifiers.nearest = true;
-    const double value = referenceTexel(identifiers, place)[segments.component];
+    const VoxelTexture& identifiers = *segments.identifiers;
+    const double value = referenceTexel(identifiers, place, {identifiers.repeats, true})[segments.component];
     const auto id = static_cast<std::size_t>(std::lround(value * static_cast<double>(segments.scale)));
     const int chain = id < segments.chainOf.size() ? segments.chainOf[id] : segments.beyond;
     return chain < 0 ? nullptr : &volume.chains.at(static_cast<std::size_t>(chain));
