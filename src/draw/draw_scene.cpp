@@ -44,7 +44,9 @@ struct SceneDrawer::Private
     TranslucentTarget target{resources};
     ProjectionMerger merger{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
-    std::vector<SliceLayer> mergedLayer; ///< of all merged projections, or none
+    RayHits hits{resources};
+    std::vector<std::size_t> walked, ofHits; ///< volumes between hits, the nearest first, and those of them
+    std::vector<SliceLayer> mergedLayer;     ///< of all merged projections, or none
 
     void draw(const StyledScene& scene);
 
@@ -55,6 +57,8 @@ private:
     LayerLists layerLists(std::size_t count);
     void drawApart(const StyledScene& scene, std::size_t count);
     void useStep(const SceneStep& step, std::size_t merged);
+    void findHits(bool hasSurfaces);
+    void drawFromHitToHit(const StyledScene& scene);
     void drawSteps(const std::vector<SceneStep>& steps, std::size_t merged);
     void checkErrors() const;
 };
@@ -65,11 +69,15 @@ std::size_t SceneDrawer::Private::prepareVolumes(const StyledScene& scene)
     std::vector<const StyledVolume*> drawn;
     for (const StyledVolume& volume : scene.volumes)
         if (isDrawn(volume)) drawn.push_back(&volume);
-    const std::vector<bool> alone = standingAlone(scene, drawn);
+    const std::vector<VolumePlace> places = volumePlaces(scene, drawn);
     while (volumes.size() < drawn.size())
         volumes.push_back(std::make_unique<DrawnVolume>(resources));
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        volumes[i]->prepare(scene, *drawn[i], slicer, alone[i]);
+        volumes[i]->prepare(scene, *drawn[i], slicer, places[i]);
+    walked = walkedNearestFirst(scene, drawn, places);
+    ofHits.clear();
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (places[i] == VolumePlace::ofHits) ofHits.push_back(i);
     return drawn.size();
 }
 
@@ -152,8 +160,46 @@ void SceneDrawer::Private::drawSteps(const std::vector<SceneStep>& steps, std::s
     drawSurfacesBehind(-std::numeric_limits<double>::infinity());
 }
 
+/// The next ones of all sources: volumes, and at last the translucent surfaces.
+void SceneDrawer::Private::findHits(bool hasSurfaces)
+{
+    const GladGLContext& gl = resources.context.gl;
+    for (std::size_t source = 0; source < ofHits.size(); ++source) {
+        hits.bind(source);
+        volumes[ofHits[source]]->findHits(hits, source, target);
+    }
+    hits.bind(ofHits.size());
+    if (!hasSurfaces) return;
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LEQUAL);
+    translucent.findHits(hits, target, ofHits.size());
+}
+
+void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
+{
+    const GladGLContext& gl = resources.context.gl;
+    const bool hasSurfaces = translucent.prepareHits(scene);
+    if (!target.begin(scene.width, scene.height)) drawOpaque(scene);
+    hits.begin(scene.width, scene.height, ofHits.size() + 1);
+    constexpr float kClear[4] = {};
+    target.bindWithoutDepths();
+    gl.ClearBufferfv(GL_COLOR, 0, kClear);
+    gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+    for (bool isOn = true; isOn;) {
+        findHits(hasSurfaces);
+        hits.chooseNext(target);
+        gl.Enable(GL_BLEND);
+        for (const std::size_t i : walked)
+            volumes[i]->drawBetween(hits, target);
+        isOn = hits.advance(target);
+    }
+    gl.DepthMask(GL_FALSE);
+    target.show();
+}
+
 void SceneDrawer::Private::drawTranslucent(const StyledScene& scene, std::size_t count)
 {
+    if (!walked.empty() || !ofHits.empty()) return drawFromHitToHit(scene);
     const LayerLists lists = layerLists(count);
     std::vector<double> borders = stepBorders(lists);
     translucent.prepare(scene, borders);

@@ -7,11 +7,11 @@
 namespace vo {
 
 /// Draws scenes through OpenGL, in the context that is current, over what the framebuffer has, whose depths
-/// count: first opaque surfaces, which write depths, then all that is translucent, the farthest first. That
-/// is joined in 32-bit floats, and blended into the framebuffer once. Volumes are drawn ray by ray, or slice
-/// by slice where something else may lie between their parts. Clears nothing. All state is given back;
-/// scissor, stencil and colour mask of the program stay in force. Programs stay until it goes, textures until
-/// some pictures had no use for them; it lives in one context.
+/// count: first opaque surfaces, which write depths, then all that is translucent, by depth. That is
+/// joined in 32-bit floats, and blended into the framebuffer once. Volumes are drawn ray by ray, or slice by
+/// slice where samples of others may lie between theirs (draw/hit_plan.h). Clears nothing. All state is given
+/// back; scissor, stencil and colour mask of the program stay in force. Programs stay until it goes, textures
+/// until some pictures had no use for them; it lives in one context.
 ///
 /// Where a framebuffer has several samples a pixel, translucent things are the same for all of them.
 /// Crossings of values between two tetrahedra are found by the places of the nearer one.

@@ -193,11 +193,48 @@ void TranslucentSurfaces::prepare(const StyledScene& scene, std::vector<double>&
     if (triangles_.empty()) return;
     divide(depths);
     gatherParts();
+    sendTriangles(records);
+    sendParts();
+}
+
+void TranslucentSurfaces::sendTriangles(const std::vector<float>& records)
+{
     arrays_.send(records.data(), records.size());
     constexpr std::array<std::array<int, 2>, 5> kLayout{{{3, 0}, {3, 3}, {4, 6}, {4, 10}, {3, 14}}};
     for (GLuint location = 0; location < kLayout.size(); ++location)
         arrays_.attribute(location, kLayout[location][0], kLayout[location][1], kTranslucentValues);
-    sendParts();
+}
+
+bool TranslucentSurfaces::prepareHits(const StyledScene& scene)
+{
+    scene_ = &scene;
+    next_ = 0;
+    parts_.clear();
+    std::vector<float> records;
+    gatherTriangles(records);
+    if (triangles_.empty()) return false;
+    sendTriangles(records);
+    return true;
+}
+
+void TranslucentSurfaces::findHits(const RayHits& hits, const TranslucentTarget& target, std::size_t source)
+{
+    const GladGLContext& gl = resources_.context.gl;
+    arrays_.bind();
+    for (std::size_t first = 0; first < triangles_.size();) {
+        const std::size_t surface = triangles_[first].surface;
+        std::size_t end = first;
+        while (end < triangles_.size() && triangles_[end].surface == surface)
+            ++end;
+        SceneProgram& program =
+            useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfacePart::hit, resources_.programs);
+        hits.bindReached(0, source, program);
+        target.bindDepths(1);
+        program.set("windowDepths", 1);
+        program.set("firstTriangle", static_cast<int>(first));
+        gl.DrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * first), static_cast<GLsizei>(3 * (end - first)));
+        first = end;
+    }
 }
 
 bool TranslucentSurfaces::anyBehind(double depth) const

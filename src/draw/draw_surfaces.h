@@ -1,7 +1,9 @@
 #pragma once
 
+#include "draw/ray_hits.h"
 #include "draw/scene_resources.h"
 #include "draw/surface_program.h"
+#include "draw/translucent_target.h"
 #include "style/styled_scene.h"
 
 #include <span>
@@ -25,6 +27,10 @@ public:
     /// `depths`: of all that is to be drawn in between, rising; those of further slabs are put among them.
     /// Borrows the scene until it is drawn.
     void prepare(const StyledScene& scene, std::vector<double>& depths);
+    /// As prepare(), for findHits(). False: there are none.
+    bool prepareHits(const StyledScene& scene);
+    /// Draws the next hit of each pixel, into what RayHits have bound.
+    void findHits(const RayHits& hits, const TranslucentTarget& target, std::size_t source);
     /// Whether anything that is not drawn yet is behind a depth.
     bool anyBehind(double depth) const;
     /// Draws all slabs behind a depth that are not drawn yet. True: something was drawn, so that another
@@ -48,6 +54,7 @@ private:
     void gather(const StyledSurface& surface, std::size_t number, std::vector<float>& records);
     void divide(std::vector<double>& depths);
     void gatherParts();
+    void sendTriangles(const std::vector<float>& records);
     void sendParts();
     void drawSlab();
 

@@ -2,6 +2,7 @@
 
 #include "cast/clear_space.h"
 #include "core/invertible.h"
+#include "draw/occupied_layers.h"
 #include "draw/scene_view_point.h"
 #include "polygonize/slice_stack.h"
 #include "style/styled_voxels.h"
@@ -29,11 +30,16 @@ void replaceTexels(VoxelTexture& texture, TexelKind kind, const VoxelSize& size,
     texture.serial = newSerial();
 }
 
-/// Which way a volume is drawn that has nothing else between its parts, if `alone`.
-VolumeWay wayOf(const StyledVolume& volume, bool alone)
+VolumeWay wayOf(const StyledVolume& volume, VolumePlace place)
 {
     if (isProjected(volume)) return volume.tetras ? VolumeWay::planeSamples : VolumeWay::projectedRays;
-    return alone && !volume.tetras ? VolumeWay::rays : VolumeWay::slices;
+    return place != VolumePlace::among && !volume.tetras ? VolumeWay::rays : VolumeWay::slices;
+}
+
+RayPart partOf(VolumePlace place)
+{
+    if (place == VolumePlace::betweenHits) return RayPart::betweenHits;
+    return place == VolumePlace::ofHits ? RayPart::nextHit : RayPart::whole;
 }
 
 /// -1 where there is no such chain.
@@ -80,19 +86,25 @@ bool isDrawn(const StyledVolume& volume)
 DrawnVolume::DrawnVolume(SceneResources& resources) : resources_(resources), arrays_(resources.context) {}
 
 void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
-                          bool alone)
+                          VolumePlace place)
 {
     scene_ = &scene;
     volume_ = &volume;
-    way_ = wayOf(volume, alone);
+    const bool alone = place == VolumePlace::alone;
+    way_ = wayOf(volume, place);
+    part_ = partOf(place);
     isMerged_ = isProjected(volume) && !alone;
     if (way_ != VolumeWay::slices) countPlanes(scene, volume, layers_);
-    if (!takesRays()) cutLayers(scene, volume, slicer, isJoined() ? planes_ : layers_);
+    const bool isOfSamples = !volume.tetras && !volume.surfaces;
+    const bool mayLeap = way_ == VolumeWay::rays || (way_ == VolumeWay::slices && isOfSamples);
+    const ClearBlocks clear = mayLeap ? findClearBlocks() : ClearBlocks();
+    if (!takesRays()) cutSlices(clear, slicer);
     if (layers_.layers.empty()) return;
     // Nothing else lies between parts of it.
     if (alone && way_ != VolumeWay::slices) layers_.layers.front().reach = 0.0;
-    leaps_ = way_ == VolumeWay::rays && findClearBlocks();
-    texts_ = volumeProgram(volume, {way_, leaps_, isMerged_});
+    leaps_ = way_ == VolumeWay::rays && !clear.empty();
+    if (leaps_) keepClearBlocks(clear);
+    texts_ = volumeProgram(volume, {way_, leaps_, isMerged_, part_});
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
     fillChainTextures();
     if (takesRays())
@@ -115,9 +127,10 @@ void DrawnVolume::fillChainTextures()
     tablesStacked_ = std::move(serials);
 }
 
-bool DrawnVolume::findClearBlocks()
+/// None where it is not known.
+ClearBlocks DrawnVolume::findClearBlocks()
 {
-    if (!isSound(*volume_)) return false;
+    if (!isSound(*volume_)) return {};
     const VoxelTexture& voxels = *volume_->voxels;
     const VoxelBlocks& blocks = resources_.textures.blocks(voxels);
     std::span<const std::uint64_t> chainsIn;
@@ -127,13 +140,23 @@ bool DrawnVolume::findClearBlocks()
             segmentBlocks_.emplace(blocks, voxels.size, *volume_->segments, chains, 0);
         chainsIn = segmentBlocks_->chainsIn();
     }
-    const ClearBlocks clear = clearBlocksOf(*volume_, blocks, chainsIn);
-    if (clear.empty()) return false;
+    return clearBlocksOf(*volume_, blocks, chainsIn);
+}
+
+void DrawnVolume::keepClearBlocks(const ClearBlocks& clear)
+{
     const VoxelSize size{clear.count().x, clear.count().y, clear.count().z};
     std::vector<std::byte> texels(size.count());
     std::ranges::copy(std::as_bytes(std::span(clear.distances()).first(texels.size())), texels.begin());
     replaceTexels(clearBlocks_, TexelKind::uint8, size, std::move(texels));
-    return true;
+}
+
+/// Where nothing is clear, or little, all of the planes.
+void DrawnVolume::cutSlices(const ClearBlocks& clear, StackSlicer& slicer)
+{
+    const bool isCut =
+        !clear.empty() && cutOccupiedLayers(*scene_, *volume_, clear, occupiedSlicer_, layers_);
+    if (!isCut) cutLayers(*scene_, *volume_, slicer, isJoined() ? planes_ : layers_);
 }
 
 void DrawnVolume::sendSlices()
@@ -152,8 +175,8 @@ void DrawnVolume::bindTextures(const TranslucentTarget& target)
 {
     const auto& textures = texts_.chains.textures();
     const bool hasRows = !texts_.chainRows.empty(), hasTables = !stackedTables_.texels.empty();
-    const int units = 1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) +
-                      (takesRays() ? 1 : 0) + (leaps_ ? 1 : 0) + (hasRows ? 1 : 0) + (hasTables ? 1 : 0);
+    const int units = 1 + static_cast<int>(textures.size()) + (volume_->segments ? 2 : 0) + unitsOfPicture() +
+                      (leaps_ ? 1 : 0) + (hasRows ? 1 : 0) + (hasTables ? 1 : 0);
     if (units > resources_.context.mostUnits)
         throw std::runtime_error("a volume reads " + std::to_string(units) + " textures, this driver takes " +
                                  std::to_string(resources_.context.mostUnits));
@@ -164,10 +187,7 @@ void DrawnVolume::bindTextures(const TranslucentTarget& target)
         resources_.textures.bind(unit, *texture.texture);
         program_->set(texture.name, unit++);
     }
-    if (takesRays()) {
-        target.bindDepths(unit);
-        program_->set("windowDepths", unit++);
-    }
+    unit = bindPicture(target, unit);
     if (leaps_) {
         resources_.textures.bind(unit, clearBlocks_);
         program_->set("clearBlocks", unit++);
@@ -181,6 +201,28 @@ void DrawnVolume::bindTextures(const TranslucentTarget& target)
         program_->set("stackedTables", unit++);
     }
     if (volume_->segments) bindSegments(*volume_->segments, unit);
+}
+
+/// How many textures say where rays begin and end.
+int DrawnVolume::unitsOfPicture() const
+{
+    if (!takesRays()) return 0;
+    return part_ == RayPart::whole ? 1 : part_ == RayPart::nextHit ? 2 : 3;
+}
+
+/// Those, from this unit on; returns the unit that follows.
+int DrawnVolume::bindPicture(const TranslucentTarget& target, int unit)
+{
+    const GladGLContext& gl = resources_.context.gl;
+    const auto bind = [&](GLuint texture, const char* name) {
+        gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+        gl.BindTexture(GL_TEXTURE_2D, texture);
+        program_->set(name, unit++);
+    };
+    if (takesRays()) bind(target.depths(), "windowDepths");
+    if (part_ != RayPart::whole) bind(hits_->reached(), "reached");
+    if (part_ == RayPart::betweenHits) bind(hits_->next(), "next");
+    return unit;
 }
 
 void DrawnVolume::bindSegments(const Segments& segments, int unit)
@@ -296,6 +338,24 @@ void DrawnVolume::drawSlice(std::size_t first, std::size_t count) const
 {
     resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+void DrawnVolume::drawBetween(const RayHits& hits, const TranslucentTarget& target)
+{
+    if (layers_.layers.empty()) return;
+    hits_ = &hits;
+    target.bindWithoutDepths();
+    useProgram(target);
+    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void DrawnVolume::findHits(const RayHits& hits, std::size_t source, const TranslucentTarget& target)
+{
+    if (layers_.layers.empty()) return;
+    hits_ = &hits;
+    useProgram(target);
+    program_->set("source", static_cast<float>(source));
+    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void DrawnVolume::draw(const SceneStep& step)

@@ -1,12 +1,16 @@
 #pragma once
 
+#include "cast/clear_blocks.h"
 #include "cast/segment_blocks.h"
+#include "draw/hit_plan.h"
 #include "draw/join_planes.h"
 #include "draw/merge_projections.h"
+#include "draw/ray_hits.h"
 #include "draw/scene_resources.h"
 #include "draw/scene_steps.h"
 #include "draw/translucent_target.h"
 #include "draw/volume_programs.h"
+#include "polygonize/slice_occupied.h"
 #include "style/styled_scene.h"
 
 #include <memory>
@@ -23,8 +27,9 @@ class DrawnVolume
 public:
     explicit DrawnVolume(SceneResources& resources);
 
-    /// Borrows all but the slicer until it is drawn. `alone`: nothing else is seen between parts of it.
-    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer, bool alone);
+    /// Borrows all but the slicer until it is drawn.
+    void prepare(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
+                 VolumePlace place);
     const std::vector<SliceLayer>& layers() const { return layers_.layers; }
     /// Whether it is a projection that may have other things between or over its rays: it is not drawn, but
     /// kept for what draws such ones.
@@ -37,12 +42,20 @@ public:
     /// uses.
     void use(const TranslucentTarget& target);
     void draw(const SceneStep& step);
+    /// Of VolumePlace::betweenHits: draws what is there.
+    void drawBetween(const RayHits& hits, const TranslucentTarget& target);
+    /// Of VolumePlace::ofHits: draws the next hits of a source into what is bound.
+    void findHits(const RayHits& hits, std::size_t source, const TranslucentTarget& target);
 
 private:
     bool isJoined() const { return way_ == VolumeWay::planeSamples; }
+    int unitsOfPicture() const;
+    int bindPicture(const TranslucentTarget& target, int unit);
     bool takesRays() const { return way_ == VolumeWay::rays || way_ == VolumeWay::projectedRays; }
     void fillChainTextures();
-    bool findClearBlocks();
+    ClearBlocks findClearBlocks();
+    void keepClearBlocks(const ClearBlocks& clear);
+    void cutSlices(const ClearBlocks& clear, StackSlicer& slicer);
     void sendSlices();
     void useProgram(const TranslucentTarget& target);
     void bindTextures(const TranslucentTarget& target);
@@ -59,10 +72,13 @@ private:
     VolumeWay way_ = VolumeWay::slices;
     VolumeLayers planes_; ///< of samples that are joined
     std::unique_ptr<PlaneJoiner> joiner_;
+    OccupiedSlicer occupiedSlicer_;
     std::optional<SegmentBlocks> segmentBlocks_;
     VoxelTexture chainTable_, chainRows_, stackedTables_, clearBlocks_;
     std::vector<std::uint64_t> tablesStacked_; ///< their serial numbers
     bool leaps_ = false, isMerged_ = false;
+    RayPart part_ = RayPart::whole;
+    const RayHits* hits_ = nullptr; ///< of parts of rays
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;
 };

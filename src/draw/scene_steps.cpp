@@ -7,13 +7,13 @@ namespace vo {
 
 namespace {
 
-struct DepthRange
+struct CommonDepths
 {
     double nearest, farthest;
 };
 
 /// Where two or more things that reach over depths may meet; empty if they do not.
-DepthRange commonReach(const LayerLists& lists)
+CommonDepths commonReach(const LayerLists& lists)
 {
     std::vector<double> nearest, farthest;
     for (const std::span<const SliceLayer> layers : lists) {
@@ -70,7 +70,7 @@ std::vector<double> stepBorders(const LayerLists& lists)
     for (const std::span<const SliceLayer> layers : lists)
         for (const SliceLayer& layer : layers)
             borders.push_back(layer.depth);
-    const DepthRange common = commonReach(lists);
+    const CommonDepths common = commonReach(lists);
     const double width = (common.farthest - common.nearest) / kParts;
     for (int part = 0; part <= kParts && width > 0.0; ++part)
         borders.push_back(common.nearest + part * width);

@@ -1,5 +1,6 @@
 #include "draw/surface_program.h"
 
+#include "draw/ray_hits.h"
 #include "draw/scene_view_point.h"
 #include "style/power.h"
 #include "style/shine.h"
@@ -21,13 +22,15 @@ uniform mat3 worldNormals;
 out vec3 world;
 out vec3 worldNormal;
 out vec4 colorGiven;
-#ifdef SLICED
+#ifdef KNOWS_DEPTH
 layout(location = 3) in vec4 plane;
 layout(location = 4) in vec3 depths;
-uniform vec4 depthRow;
-uniform vec2 slab;
 flat out vec4 eyePlane;
 flat out vec2 eyeDepths;
+#endif
+#ifdef SLICED
+uniform vec4 depthRow;
+uniform vec2 slab;
 out float gl_ClipDistance[2];
 #endif
 
@@ -37,9 +40,11 @@ void main()
     world = (worldFromLocal * vec4(position, 1.0)).xyz;
     worldNormal = worldNormals * normal;
     colorGiven = color;
-#ifdef SLICED
+#ifdef KNOWS_DEPTH
     eyePlane = plane;
     eyeDepths = depths.xy;
+#endif
+#ifdef SLICED
     float depth = dot(depthRow, vec4(position, 1.0));
     gl_ClipDistance[0] = depth - slab.x + depths.z;
     gl_ClipDistance[1] = slab.y + depths.z - depth;
@@ -59,19 +64,44 @@ uniform vec3 diffuse, emissive, specular;
 uniform float ambientIntensity, exponent, opacity;
 layout(location = 0) out vec4 fragment;
 
-#ifdef SLICED
+#ifdef KNOWS_DEPTH
 flat in vec4 eyePlane;
 flat in vec2 eyeDepths;
-uniform vec2 slab, pictureSize;
+uniform vec2 pictureSize;
 uniform mat3 rayOrigins, rayDirections;
 
-bool isInSlab()
+float eyeDepth()
 {
     vec3 device = vec3(1.0, 2.0 * gl_FragCoord.xy / pictureSize - 1.0);
     float toPlane = -(dot(eyePlane.xyz, rayOrigins * device) + eyePlane.w);
     float depth = toPlane / dot(eyePlane.xyz, rayDirections * device);
-    depth = depth >= eyeDepths.x ? min(depth, eyeDepths.y) : eyeDepths.x;
+    return depth >= eyeDepths.x ? min(depth, eyeDepths.y) : eyeDepths.x;
+}
+#endif
+
+#ifdef SLICED
+uniform vec2 slab;
+bool isInSlab()
+{
+    float depth = eyeDepth();
     return depth >= slab.x && depth < slab.y;
+}
+#endif
+
+#ifdef HIT
+uniform sampler2D windowDepths;
+uniform int firstTriangle;
+layout(location = 1) out vec4 hit;
+
+// Behind the last one: farther, or at one depth an earlier triangle.
+bool isBehindLast(float triangle)
+{
+    const float kHalfStep = 3e-8; // of depths of 24 bits
+    if (gl_FragCoord.z + kHalfStep >= texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r) return false;
+    vec4 last = lastReached();
+    if (!isNextWanted(last)) return false;
+    if (!isOwn(last)) return true;
+    return gl_FragCoord.z > last.z || (gl_FragCoord.z == last.z && triangle < last.w);
 }
 #endif
 
@@ -89,6 +119,12 @@ void main()
     if (isClipped(vec4(world, 1.0))) discard;
 #ifdef SLICED
     if (!isInSlab()) discard;
+#endif
+#ifdef HIT
+    float triangle = float(firstTriangle + gl_PrimitiveID);
+    if (!isBehindLast(triangle)) discard;
+    hit = vec4(eyeDepth(), 0.0, gl_FragCoord.z, triangle);
+    gl_FragDepth = gl_FragCoord.z;
 #endif
     bool outside = gl_FrontFacing != mirrored;
     if (solid && !outside) discard;
@@ -146,13 +182,16 @@ SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& s
                                 ScenePrograms& programs)
 {
     std::string definitions = "#version 330 core\n";
+    if (part != SurfacePart::whole) definitions += "#define KNOWS_DEPTH\n";
     if (part == SurfacePart::slab) definitions += "#define SLICED\n";
+    if (part == SurfacePart::hit) definitions += "#define HIT\n";
     const std::string vertexText = definitions + kVertexShader;
     if (!surface.colors.empty()) definitions += "#define COLORS\n";
     SceneProgram& program =
         programs.find(vertexText, definitions + lightDeclarations(surface.lights.size()) +
                                       clipPlaneDeclarations(surface.clipPlanes.size()) + kRaisedGlsl +
-                                      kDirectionToGlsl + kStrengthOfGlsl + kLitByGlsl + kFragmentShader);
+                                      kDirectionToGlsl + kStrengthOfGlsl + kLitByGlsl +
+                                      (part == SurfacePart::hit ? kReachedGlsl : "") + kFragmentShader);
     program.use();
     setMaterial(surface, program);
     setView(scene, surface, program);

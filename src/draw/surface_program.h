@@ -19,8 +19,10 @@ enum SurfaceAttribute : unsigned {
 };
 
 /// What of a surface is drawn: all, or the part of it that lies between two depths (uniform `slab`: the
-/// nearest, and the farthest, which belongs to what is behind; no pixel twice).
-enum class SurfacePart { whole, slab };
+/// nearest, and the farthest, which belongs to what is behind; no pixel twice), or the next hit of each pixel
+/// (draw/ray_hits.h: uniforms `reached`, `windowDepths`, `source`, and `firstTriangle`, how many come
+/// before).
+enum class SurfacePart { whole, slab, hit };
 
 /// A surface's program, in use and with all that it knows of the scene.
 SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,

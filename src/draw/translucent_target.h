@@ -26,6 +26,7 @@ public:
     void bindWithoutDepths() const;
     void bindDepths(int unit) const;
     GLuint depths() const { return depths_; }
+    GLuint colors() const { return colors_; }
     /// Binds the caller's framebuffer again, and blends over it what was drawn.
     void show();
     /// Binds the caller's framebuffer again, if it is not.

@@ -87,15 +87,7 @@ Body bodyOf(const StyledVolume& volume)
     return volume.tetras ? tetraBody(volume) : boxBody(volume);
 }
 
-/// The planes that meet a volume, as sampleDepth() counts them; depthRow is that of its voxels.
-struct PlaneRange
-{
-    glm::dvec4 depthRow;
-    double first, last;
-    double nearest, farthest; ///< of what is seen of it
-
-    std::size_t count() const { return first <= last ? static_cast<std::size_t>(last - first) + 1 : 0; }
-};
+} // namespace
 
 PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume)
 {
@@ -110,7 +102,11 @@ PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume)
     return {depthRow, first, last, part->nearest, part->farthest};
 }
 
-} // namespace
+PlaneFamily PlaneRange::family(double spacing) const
+{
+    return {glm::dvec3(depthRow), sampleDepth(spacing, last) - depthRow.w, spacing,
+            static_cast<int>(count())};
+}
 
 glm::dmat4 localFromVoxel(const StyledVolume& volume)
 {
@@ -132,6 +128,18 @@ double planeOf(const SliceLayer& layer, const StyledVolume& volume)
     return std::round(layer.depth / volume.spacing - 0.5);
 }
 
+void appendLayer(const StyledVolume& volume, const glm::dvec4& depthRow, const PolygonStack::Run& run,
+                 VolumeLayers& layers)
+{
+    const std::size_t record = layers.stack.indices[run.first];
+    const float* position =
+        layers.stack.records.data() + (record + 1) * static_cast<std::size_t>(layers.valuesPerRecord) - 3;
+    const double depth = glm::dot(depthRow, glm::dvec4(position[0], position[1], position[2], 1.0));
+    const double spacing = volume.spacing;
+    layers.layers.push_back({sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first, run.count,
+                             volume.surfaces ? spacing : 0.0});
+}
+
 void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer& slicer,
                VolumeLayers& layers)
 {
@@ -140,22 +148,14 @@ void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer
     layers.valuesPerRecord = body.values;
     const PlaneRange range = planesOf(scene, volume);
     if (range.count() == 0) return;
-    const glm::dvec4& depthRow = range.depthRow;
-    const double spacing = volume.spacing;
-    const PlaneFamily planes{glm::dvec3(depthRow), sampleDepth(spacing, range.last) - depthRow.w, spacing,
-                             static_cast<int>(range.count())};
     const Box box = body.bounds;
-    if (!slicer.slice(body.view(), {&box, 1}, planes, StackOrder::bySample, 0, layers.stack).complete)
+    if (!slicer
+             .slice(body.view(), {&box, 1}, range.family(volume.spacing), StackOrder::bySample, 0,
+                    layers.stack)
+             .complete)
         throw std::runtime_error("a volume has more slices than fit into memory");
-    for (const PolygonStack::Run& run : layers.stack.runs) {
-        const float* position = layers.stack.records.data() +
-                                static_cast<std::size_t>(layers.stack.indices[run.first] + 1) *
-                                    static_cast<std::size_t>(body.values) -
-                                3;
-        const double depth = glm::dot(depthRow, glm::dvec4(position[0], position[1], position[2], 1.0));
-        layers.layers.push_back({sampleDepth(spacing, std::round(depth / spacing - 0.5)), run.first,
-                                 run.count, volume.surfaces ? spacing : 0.0});
-    }
+    for (const PolygonStack::Run& run : layers.stack.runs)
+        appendLayer(volume, range.depthRow, run, layers);
 }
 
 } // namespace vo

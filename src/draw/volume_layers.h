@@ -1,6 +1,7 @@
 #pragma once
 
 #include "polygonize/polygon_stack.h"
+#include "polygonize/sampling_planes.h"
 #include "style/styled_scene.h"
 
 #include <glm/mat4x4.hpp>
@@ -31,6 +32,21 @@ struct VolumeLayers
     int valuesPerRecord = 3;
 };
 
+/// The planes that meet a volume, as sampleDepth() counts them; depthRow is that of its voxels.
+struct PlaneRange
+{
+    glm::dvec4 depthRow;
+    double first, last;
+    double nearest, farthest; ///< of what is seen of it
+
+    std::size_t count() const { return first <= last ? static_cast<std::size_t>(last - first) + 1 : 0; }
+    /// In voxels. There is one at least.
+    PlaneFamily family(double spacing) const;
+};
+
+/// As far as the projection shows them. Throws std::runtime_error where there are too many.
+PlaneRange planesOf(const StyledScene& scene, const StyledVolume& volume);
+
 /// Local position of positions in voxels.
 glm::dmat4 localFromVoxel(const StyledVolume& volume);
 
@@ -40,6 +56,9 @@ void cutLayers(const StyledScene& scene, const StyledVolume& volume, StackSlicer
                VolumeLayers& layers);
 /// One layer for what is drawn ray by ray and has no polygons, or none.
 void countPlanes(const StyledScene& scene, const StyledVolume& volume, VolumeLayers& layers);
+/// A run of the indices that lies in one of the planes becomes a layer.
+void appendLayer(const StyledVolume& volume, const glm::dvec4& depthRow, const PolygonStack::Run& run,
+                 VolumeLayers& layers);
 /// The plane of a layer that cutLayers() made, as sampleDepth() counts them.
 double planeOf(const SliceLayer& layer, const StyledVolume& volume);
 

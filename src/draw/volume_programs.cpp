@@ -1,6 +1,7 @@
 #include "draw/volume_programs.h"
 
 #include "cast/padded_voxels.h"
+#include "draw/ray_hits.h"
 #include "draw/scene_programs.h"
 #include "draw/volume_shaders.h"
 #include "style/surface_normals.h"
@@ -102,21 +103,24 @@ bool takesWholeRays(VolumeWay way)
 }
 
 /// The functions and the main function that a way needs, after those of the chains.
-std::string mainText(const StyledVolume& volume, VolumeWay way, const std::vector<int>& numberOf)
+std::string mainText(const StyledVolume& volume, const ProgramRequest& request,
+                     const std::vector<int>& numberOf)
 {
     const std::string chainAt = chainAtText(volume);
     const std::string surfaces =
         volume.surfaces ? surfaceChainsText(*volume.surfaces, numberOf) + kSurfaceFunctions : "";
     const std::string projected =
         isProjected(volume) ? chainAt + opacityOfText(volume, numberOf) + kProjectedSample : "";
-    switch (way) {
+    switch (request.way) {
     case VolumeWay::slices: return volume.surfaces ? surfaces + kSurfacesMain : chainAt + kSamplesMain;
     case VolumeWay::rays: break;
     case VolumeWay::projectedRays: return kRayFunctions + projected + kJoinFunctions + kProjectionMain;
     case VolumeWay::planeSamples: return projected + kPlaneSamplesMain;
     }
     const std::string walk = std::string(kRayFunctions) + kWalkFunctions;
-    return volume.surfaces ? walk + surfaces + kMarchedSurfacesMain : walk + chainAt + kMarchedSamplesMain;
+    if (!volume.surfaces) return walk + chainAt + kMarchedSamplesMain;
+    if (request.part == RayPart::nextHit) return walk + surfaces + kReachedGlsl + kNextSurfaceMain;
+    return walk + surfaces + kMarchedSurfacesMain;
 }
 
 /// Of what the main functions ask about.
@@ -128,6 +132,7 @@ std::string wayDefinitions(const StyledVolume& volume, const ProgramRequest& req
     if (request.way == VolumeWay::projectedRays)
         text += define("TYPE", static_cast<std::size_t>(volume.projection->type));
     if (request.mergedLater) text += define("MERGED_LATER");
+    if (request.part == RayPart::betweenHits) text += define("BETWEEN_HITS");
     if (request.way != VolumeWay::rays) return text;
     text +=
         define("BLOCK_SHIFT", PaddedVoxels::kBlockShift) +
@@ -167,7 +172,7 @@ VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& re
                            clipPlaneDeclarations(volume.clipPlanes.size()) + kStylePreamble +
                            kFirstColorGlsl + kListPlaceGlsl + kChainTextures + program.chains.declarations() +
                            program.chains.functions() + functions.text + kSampleFunctions +
-                           mainText(volume, request.way, functions.numberOf);
+                           mainText(volume, request, functions.numberOf);
     program.chainNumberOf = std::move(functions.numberOf);
     program.chainRows = std::move(functions.rows);
     return program;

@@ -268,6 +268,21 @@ float lastBefore(float depth)
 {
     return floor(min(depth, 1e30) / spacing - 0.5);
 }
+
+// Of the part of a ray that is drawn: where it begins, which is not in it, and where it ends.
+#ifdef BETWEEN_HITS
+uniform sampler2D reached, next;
+vec2 partOfRay()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    return vec2(texelFetch(reached, pixel, 0).x, texelFetch(next, pixel, 0).x) - depthBase;
+}
+#else
+vec2 partOfRay()
+{
+    return vec2(-1e30, 1e30);
+}
+#endif
 )";
 
 // Planes of a ray, one after the other. Blocks of voxels in which nothing is seen are leapt over:
@@ -323,8 +338,9 @@ const char* const kMarchedSamplesMain = R"(
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
-    vec2 planes = planesIn(depthsOn(origin, way));
-    float last = min(planes.y, lastBefore(opaqueDepth()));
+    vec2 planes = planesIn(depthsOn(origin, way)), part = partOfRay();
+    float last = min(min(planes.y, lastBefore(opaqueDepth())), lastBefore(part.y));
+    planes.x = max(planes.x, lastBefore(part.x) + 1.0);
     if (planes.x > last) discard;
     float units = length(way) * spacing / unitLength;
     Walk walk = walkOf(origin, way);
@@ -368,8 +384,9 @@ const char* const kMarchedSurfacesMain = R"(
 void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
-    vec2 planes = planesIn(depthsOn(origin, way));
-    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
+    vec2 planes = planesIn(depthsOn(origin, way)), part = partOfRay();
+    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(min(opaque, part.y)) + 1.0);
+    planes.x = max(planes.x, lastBefore(part.x));
     if (planes.x >= last) discard;
     Walk walk = walkOf(origin, way);
     fragment = vec4(0.0);
@@ -390,12 +407,56 @@ void main()
         for (int i = 0; i < SURFACES; ++i) {
             int number = surfaceOnWay(i, here, there);
             float value = surfaceValues[number];
-            float at = k - 1.0 + (value - here) / (there - here);
-            if (!crosses(value, here, there) || (at + 0.5) * spacing >= opaque) continue;
+            float at = k - 1.0 + (value - here) / (there - here), depth = (at + 0.5) * spacing;
+            if (!crosses(value, here, there) || depth >= opaque) continue;
+            if (depth <= part.x || depth > part.y) continue;
             addSurface(number, walk.place + at * walk.placeStep, walk.local + at * walk.localStep);
         }
     }
     if (fragment.a <= 0.0) discard;
+}
+)";
+
+// A hit has the plane before it and the number of the surface on the way to the next one.
+const char* const kNextSurfaceMain = R"(
+layout(location = 1) out vec4 hit;
+void main()
+{
+    vec4 before = lastReached();
+    if (!isNextWanted(before)) discard;
+    vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
+    vec2 planes = planesIn(depthsOn(origin, way));
+    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
+    if (planes.x >= last) discard;
+    Walk walk = walkOf(origin, way);
+    bool isFirst = !isOwn(before);
+    hit = vec4(kNoHit, 0.0, 0.0, 0.0);
+    fragment = vec4(0.0);
+    float k = isFirst ? planes.x : before.z;
+    while (k < last && fragment.a == 0.0) {
+        k = leapFrom(k, last, walk);
+        float until = min(k + kSamplesAtOnce, last);
+        float here = 0.0, there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+        bool isFound = false;
+        while (k < until) {
+            here = there;
+            k += 1.0;
+            there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+            isFound = crossesAny(here, there);
+            if (isFound) break;
+        }
+        if (!isFound) continue;
+        bool isPassed = !isFirst && k - 1.0 == before.z;
+        for (int i = isPassed ? int(before.w) + 1 : 0; i < SURFACES && fragment.a == 0.0; ++i) {
+            int number = surfaceOnWay(i, here, there);
+            float value = surfaceValues[number];
+            float at = k - 1.0 + (value - here) / (there - here), depth = (at + 0.5) * spacing;
+            if (!crosses(value, here, there) || depth >= opaque) continue;
+            addSurface(number, walk.place + at * walk.placeStep, walk.local + at * walk.localStep);
+            hit = vec4(depthBase + depth, 0.0, k - 1.0, float(i));
+        }
+    }
+    if (fragment.a == 0.0) hit.x = kNoHit;
 }
 )";
 

@@ -30,6 +30,7 @@ extern const char* const kSurfacesMain;
 extern const char* const kPlaneSamplesMain;
 extern const char* const kMarchedSamplesMain;
 extern const char* const kMarchedSurfacesMain;
+extern const char* const kNextSurfaceMain;
 extern const char* const kProjectionMain;
 
 } // namespace vo

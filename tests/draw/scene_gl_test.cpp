@@ -388,8 +388,19 @@ std::map<std::string, StyleChain> chains()
             {"edge, then tone", {edge, toned}}};
 }
 
-/// The same picture, drawn by slices: something that is not seen may lie between parts of the volumes.
+/// The same picture, drawn by slices: samples of volumes that are not seen lie between those of the others.
 StyledScene sliced(StyledScene scene)
+{
+    for (const double spacing : {0.8, 0.9}) {
+        StyledVolume& clear = scene.volumes.emplace_back(sceneOf(constant(0.0), true).volumes[0]);
+        clear.chains = {{}};
+        clear.spacing = spacing;
+    }
+    return scene;
+}
+
+/// The same picture, drawn from hit to hit, of a surface that is not seen.
+StyledScene fromHitToHit(StyledScene scene)
 {
     scene.surfaces.push_back(pane({0, 0, 0}, 1.2, {1, 0, 0}, 1.0f));
     return scene;
@@ -402,6 +413,7 @@ TEST_P(SceneDrawing, everyStyleIsThatOfTheReference)
             const std::string what = name + (perspective ? ", perspective" : "");
             compare(turnedScene(chain, perspective), what);
             compare(sliced(turnedScene(chain, perspective)), what);
+            compare(fromHitToHit(turnedScene(chain, perspective)), what);
         }
 }
 
@@ -429,11 +441,13 @@ TEST_P(SceneDrawing, clearBlocksAreLeaptOverAndNothingElse)
             scene.volumes[0].spacing = 0.041;
             if (!turned) scene.volumes[0].worldFromLocal = glm::dmat4(1.0);
             const std::string what = std::to_string(turned) + std::to_string(nearest);
-            compare(scene, "clear blocks " + what);
+            for (const StyledScene& drawn : {scene, sliced(scene), fromHitToHit(scene)})
+                compare(drawn, "clear blocks " + what);
             IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
             surfaces.values = {0.3f, 0.6f};
             surfaces.chains = {{styleWithReference(OpacityMap{})}};
-            compare(scene, "surfaces and clear blocks " + what, nearest ? 40.0 : kAlike);
+            for (const StyledScene& drawn : {scene, sliced(scene), fromHitToHit(scene)})
+                compare(drawn, "surfaces and clear blocks " + what, nearest ? 40.0 : kAlike);
         }
 }
 
@@ -671,10 +685,10 @@ TEST_P(SceneDrawing, surfacesLieWhereValuesCross)
         surfaces.chains = {{clear, styleWithReference(shading)}, {clear, styleWithReference(other)}};
         surfaces.surfaceTolerance = 0.01f;
         scene.volumes[0].clipPlanes = {{1.0, 0.2, 0.1, 0.4}};
-        for (const StyledScene& drawn : {scene, sliced(scene)})
+        for (const StyledScene& drawn : {scene, sliced(scene), fromHitToHit(scene)})
             compare(drawn, perspective ? "surfaces of values, perspective" : "surfaces of values", kEqual);
         scene.surfaces = {sphere({0.2, 0.1, 0.1}, 0.5)};
-        for (const StyledScene& drawn : {scene, sliced(scene)})
+        for (const StyledScene& drawn : {scene, sliced(scene), fromHitToHit(scene)})
             compare(drawn, perspective ? "surfaces and sphere, perspective" : "surfaces and sphere");
     }
     StyledScene scene = turnedScene({});
@@ -751,11 +765,27 @@ TEST_P(SceneDrawing, surfacesOfValuesCrossEachOtherAndPanes)
     scene.volumes = {otherSurfaces({0.25f}, 0.5f), otherSurfaces({0.3f}, 0.3f)};
     scene.volumes[1].worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(-0.3, 0.2, 0.2));
     scene.volumes[1].spacing = 0.13;
-    compare(scene, "surfaces that cross", 50.0);
+    compare(scene, "surfaces that cross", 60.0);
+    compare(sliced(scene), "surfaces that cross", 50.0);
     scene.surfaces = {pane({0, 0, 0.3}, 0.7, {1, 0, 0}, 0.4f)};
     compare(scene, "surfaces that cross, and a pane");
+    compare(sliced(scene), "surfaces that cross, and a pane");
     scene.volumes.pop_back();
     compare(scene, "a surface and a pane");
+}
+
+TEST_P(SceneDrawing, facesOfOneDepthAreAllSeenAndInTheirOrder)
+{
+    StyledScene scene = turnedScene({});
+    scene.volumes.clear();
+    const StyledSurface red = pane({0, 0, 0.1}, 0.4, {1, 0, 0}, 0.4f);
+    StyledSurface blue = red;
+    blue.emissive = {0, 0, 1};
+    scene.surfaces = {red, blue, pane({0, 0, 1.2}, 0.4, {0, 1, 0}, 0.5f)};
+    const std::vector<float> alone = picture(scene);
+    StyledScene among = sliced(scene);
+    among.volumes.pop_back();
+    EXPECT_GT(psnr(picture(among), std::vector<double>(alone.begin(), alone.end())), kEqual);
 }
 
 /// Two boxes of one value each whose fronts cross in the plane x = 0.
