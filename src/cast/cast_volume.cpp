@@ -22,10 +22,11 @@ ChainPlan::ChainPlan(const StyleChain& whole) : chain(effectiveChain(whole))
 }
 
 CastVolume::CastVolume(const StyledVolume& volume, const SceneRays& rays)
-    : styled(&volume), localFromEye(glm::inverse(volume.worldFromLocal) * rays.worldFromEye())
+    : styled(&volume), localFromEye(glm::inverse(volume.worldFromLocal) * rays.worldFromEye()),
+      edgesFromEye(localFromEye * rays.shift())
 {
     for (const glm::dvec4& plane : volume.clipPlanes)
-        eyePlanes.push_back(plane * rays.worldFromEye());
+        eyePlanes.push_back(plane * rays.worldFromEye() * rays.shift());
     for (const StyleChain& chain : volume.surfaces ? volume.surfaces->chains : volume.chains)
         plans.emplace_back(chain);
     const VoxelSize& size = volume.voxels->size;

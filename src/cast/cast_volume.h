@@ -38,7 +38,8 @@ struct CastVolume
     const StyledVolume* styled = nullptr;
     std::shared_ptr<const PaddedVoxels> voxels;
     glm::dmat4 localFromEye{1.0};
-    std::vector<glm::dvec4> eyePlanes; ///< kept where dot(plane, p) >= 0
+    glm::dmat4 edgesFromEye{1.0};      ///< localFromEye after the edgeShift(): where the faces are met
+    std::vector<glm::dvec4> eyePlanes; ///< kept where dot(plane, p) >= 0, after the edgeShift()
     std::vector<ChainPlan> plans;      ///< of the volume's chains, or of its surfaces
     float shortestEdge = 1.0f;         ///< of a voxel, local
     std::optional<CastTetras> tetras;

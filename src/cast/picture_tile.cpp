@@ -11,8 +11,8 @@ namespace {
 /// Pixels whose middle a range of the picture has, from `first` on among `count`.
 void pixelsIn(double low, double high, int& first, int& count)
 {
-    // Rounding may have moved the range by this much.
-    constexpr double kMargin = 1e-3;
+    // Rounding may have moved the range, and pixels look a little past their middle (edgeShift()).
+    constexpr double kMargin = 4e-3;
     const double before = first - 1.0, after = static_cast<double>(first) + count;
     const auto begin = static_cast<int>(std::clamp(std::ceil(low - kMargin - 0.5), before + 1.0, after));
     const auto last = static_cast<int>(std::clamp(std::floor(high + kMargin - 0.5), before, after - 1.0));

@@ -35,9 +35,11 @@ bool RayPath::begin(const DepthRay& ray, RayPart depths, std::span<const TetraSp
     local_ = transformed(volume_.localFromEye, ray);
     if (!volume_.tetras) {
         const glm::dvec3 size(volume_.styled->dimensions);
-        const DepthRay place{local_.origin / size + 0.5, local_.direction / size};
-        cutToUnitCube(place, depths);
-        addPiece(depths, place, -1);
+        const auto placeOf = [&size](const DepthRay& local) {
+            return DepthRay{local.origin / size + 0.5, local.direction / size};
+        };
+        cutToUnitCube(placeOf(transformed(volume_.edgesFromEye, ray)), depths);
+        addPiece(depths, placeOf(local_), -1);
     }
     for (const TetraSpan& span : spans) {
         const RayPart part{std::max(depths.begin, span.depths.begin), std::min(depths.end, span.depths.end)};

@@ -62,12 +62,24 @@ std::optional<SceneRays> SceneRays::of(const StyledScene& scene)
     const Line middle = lineOf(rays.eyeFromClip_, {0.0, 0.0});
     if (!isFinite(middle.ray.origin) || !isFinite(middle.ray.direction)) return std::nullopt;
     rays.depths_ = middle.depths;
+    rays.shift_ = edgeShift(scene);
     return rays;
 }
 
 DepthRay SceneRays::ray(double x, double y) const
 {
     return lineOf(eyeFromClip_, {x * pixel_.x - 1.0, y * pixel_.y - 1.0}).ray;
+}
+
+glm::dmat4 edgeShift(const StyledScene& scene)
+{
+    const glm::dmat4 eyeFromClip = glm::inverse(scene.clipFromEye);
+    const glm::dvec2 past(2.0 * kPixelsPastCenter / scene.width, 2.0 * kPixelsAboveCenter / scene.height);
+    const DepthRay middle = lineOf(eyeFromClip, {0.0, 0.0}).ray, beside = lineOf(eyeFromClip, past).ray;
+    glm::dmat4 shift(1.0);
+    shift[2] -= glm::dvec4(beside.direction - middle.direction, 0.0);
+    shift[3] += glm::dvec4(beside.origin - middle.origin, 0.0);
+    return shift;
 }
 
 glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye)

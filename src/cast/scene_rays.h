@@ -43,15 +43,21 @@ public:
     /// From the near to the far plane, both of which lie across the view.
     const RayPart& depths() const { return depths_; }
     const glm::dmat4& worldFromEye() const { return worldFromEye_; }
+    /// edgeShift() of the scene.
+    const glm::dmat4& shift() const { return shift_; }
 
 private:
-    glm::dmat4 worldFromEye_{1.0}, eyeFromClip_{1.0};
+    glm::dmat4 worldFromEye_{1.0}, eyeFromClip_{1.0}, shift_{1.0};
     glm::dvec2 pixel_{1.0};
     RayPart depths_;
 };
 
 /// Where a point of eye space stands in the picture: pixels from its left and lower edge times w, and w.
 glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye);
+
+/// Moves what a pixel's ray passes, in eye space, to where the pixel looks for edges (kPixelsPastCenter). The
+/// matrices must be invertible.
+glm::dmat4 edgeShift(const StyledScene& scene);
 
 /// The ray in another space.
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray);

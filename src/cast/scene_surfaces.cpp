@@ -28,6 +28,7 @@ struct CastSurfaces::Prepared
     glm::dmat3 normalMatrix; ///< world from local, for normals
     std::shared_ptr<const Style> shading;
     StyleSurroundings surroundings;
+    std::vector<glm::dvec4> clipPlanes; ///< world, after the edgeShift()
 };
 
 struct CastSurfaces::Triangle
@@ -71,9 +72,13 @@ struct Edges
     }
 
     /// Where two triangles share an edge, a pixel on it belongs to one of them.
-    static bool isInside(const glm::dvec3& e, double value)
+    bool contain(const glm::dvec3& place) const
     {
-        return value > 0.0 || (value == 0.0 && (e.x > 0.0 || (e.x == 0.0 && e.y > 0.0)));
+        const glm::dvec3 seen = place + glm::dvec3(kPixelsPastCenter, kPixelsAboveCenter, 0.0);
+        return std::all_of(edge.begin(), edge.end(), [&seen](const glm::dvec3& e) {
+            const double value = glm::dot(e, seen);
+            return value > 0.0 || (value == 0.0 && (e.x > 0.0 || (e.x == 0.0 && e.y > 0.0)));
+        });
     }
 };
 
@@ -131,8 +136,11 @@ void CastSurfaces::prepare(const StyledSurface& surface)
 {
     const glm::dmat4 eyeFromLocal = scene_.eyeFromWorld * surface.worldFromLocal;
     const glm::dmat3 linear(surface.worldFromLocal);
-    Prepared prepared{
-        &surface, {}, glm::transpose(glm::inverse(linear)), shadingOf(surface), {surface.lights}};
+    Prepared prepared{&surface,         {}, glm::transpose(glm::inverse(linear)), shadingOf(surface),
+                      {surface.lights}, {}};
+    const glm::dmat4 worldShift = rays_.worldFromEye() * rays_.shift() * scene_.eyeFromWorld;
+    for (const glm::dvec4& plane : surface.clipPlanes)
+        prepared.clipPlanes.push_back(plane * worldShift);
     prepared.vertices.reserve(surface.positions.size());
     for (const glm::vec3& position : surface.positions) {
         const glm::dvec4 eye = eyeFromLocal * glm::dvec4(position, 1.0);
@@ -172,11 +180,11 @@ void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Cove
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
         for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
             const glm::dvec3 place(x + 0.5, y + 0.5, 1.0);
-            const glm::dvec3 inside(glm::dot(edges.edge[0], place), glm::dot(edges.edge[1], place),
-                                    glm::dot(edges.edge[2], place));
-            if (!Edges::isInside(edges.edge[0], inside.x) || !Edges::isInside(edges.edge[1], inside.y) ||
-                !Edges::isInside(edges.edge[2], inside.z))
-                continue;
+            if (!edges.contain(place)) continue;
+            // The middle of the pixel may lie a little outside.
+            const glm::dvec3 inside(std::max(glm::dot(edges.edge[0], place), 0.0),
+                                    std::max(glm::dot(edges.edge[1], place), 0.0),
+                                    std::max(glm::dot(edges.edge[2], place), 0.0));
             Hit hit;
             hit.pixel = static_cast<std::uint32_t>(tile.pixelAt(x, y));
             hit.triangle = triangle;
@@ -198,7 +206,7 @@ bool CastSurfaces::isSeen(const Prepared& prepared, const Hit& hit, const DepthR
     if (prepared.styled->solid && !hit.front) return false;
     if (!(hit.depth >= rays_.depths().begin && hit.depth <= rays_.depths().end)) return false;
     const glm::dvec4 position(ray.at(hit.depth), 1.0);
-    return std::all_of(prepared.styled->clipPlanes.begin(), prepared.styled->clipPlanes.end(),
+    return std::all_of(prepared.clipPlanes.begin(), prepared.clipPlanes.end(),
                        [&](const glm::dvec4& plane) { return glm::dot(plane, position) >= 0.0; });
 }
 

@@ -81,7 +81,8 @@ void CastTetras::spansOf(const PictureTile& tile, const SceneRays& rays, TetraTi
         const PictureTile pixels = pixelsOf(cells_[tetra].windows, tile);
         for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
             for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
-                const RayPart range = rangeOf(cells_[tetra], rays.ray(x + 0.5, y + 0.5));
+                const DepthRay edges = transformed(rays.shift(), rays.ray(x + 0.5, y + 0.5));
+                const RayPart range = rangeOf(cells_[tetra], edges);
                 const auto pixel = static_cast<std::uint32_t>(tile.pixelAt(x, y));
                 if (!range.empty()) found.push_back({pixel, {range, tetra}});
             }

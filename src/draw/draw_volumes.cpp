@@ -1,6 +1,7 @@
 #include "draw/draw_volumes.h"
 
 #include "cast/clear_space.h"
+#include "cast/scene_rays.h"
 #include "core/invertible.h"
 #include "draw/occupied_layers.h"
 #include "draw/scene_view_point.h"
@@ -246,7 +247,10 @@ void DrawnVolume::setView(SceneProgram& program) const
     const VoxelSize& size = volume_->voxels->size;
     const glm::vec3 count(size.x, size.y, size.z), edges = volume_->dimensions / count;
     program.set("clipFromVoxel", glm::mat4(clipFromLocal * localFromVoxel(*volume_)));
+    const glm::dmat4 eyeFromLocal = scene_->eyeFromWorld * worldFromLocal;
+    const glm::dmat4 shift = glm::inverse(eyeFromLocal) * edgeShift(*scene_) * eyeFromLocal;
     program.set("clipFromLocal", glm::mat4(clipFromLocal));
+    program.set("edgeShift", glm::mat4(shift));
     program.set("voxelCount", count);
     program.set("dimensions", volume_->dimensions);
     program.set("viewer", glm::vec4(viewerIn(*scene_, worldFromLocal)));
@@ -257,7 +261,7 @@ void DrawnVolume::setView(SceneProgram& program) const
     if (takesRays()) setRays(program);
     std::vector<glm::vec4> planes;
     for (const glm::dvec4& plane : volume_->clipPlanes)
-        planes.emplace_back(plane * worldFromLocal);
+        planes.emplace_back(plane * worldFromLocal * shift);
     program.set("clipPlanes", std::span<const glm::vec4>(planes));
 }
 
@@ -327,6 +331,10 @@ void DrawnVolume::setRays(SceneProgram& program) const
     origins[0] += glm::dvec3(localFromEye[3]);
     program.set("rayOrigins", glm::mat3(origins));
     program.set("rayDirections", glm::mat3(glm::dmat3(localFromEye) * rays.direction));
+    const glm::dmat4 shift = edgeShift(*scene_);
+    const glm::dvec3 way = -glm::dvec3(shift[2]) - glm::dvec3(0.0, 0.0, -1.0);
+    program.set("originShift", glm::vec3(glm::dmat3(localFromEye) * (glm::dvec3(shift[3]) + base * way)));
+    program.set("wayShift", glm::vec3(glm::dmat3(localFromEye) * way));
     const DepthsSeen seen = depthsSeen(clip);
     program.set("depthsSeen", glm::vec2(seen.nearest - base, std::min(seen.farthest - base, 1e30)));
     program.set("depthBase", static_cast<float>(base));

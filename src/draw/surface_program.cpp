@@ -1,5 +1,6 @@
 #include "draw/surface_program.h"
 
+#include "cast/scene_rays.h"
 #include "draw/ray_hits.h"
 #include "draw/scene_view_point.h"
 #include "style/power.h"
@@ -156,9 +157,14 @@ void setMaterial(const StyledSurface& surface, SceneProgram& program)
     program.set("exponent", 128.0f * surface.shininess);
     program.set("opacity", 1.0f - surface.transparency);
     program.set(surface.lights);
+}
+
+void setClipPlanes(const StyledScene& scene, const StyledSurface& surface, SceneProgram& program)
+{
     std::vector<glm::vec4> planes;
+    const glm::dmat4 shift = glm::inverse(scene.eyeFromWorld) * edgeShift(scene) * scene.eyeFromWorld;
     for (const glm::dvec4& plane : surface.clipPlanes)
-        planes.emplace_back(plane);
+        planes.emplace_back(plane * shift);
     program.set("clipPlanes", std::span<const glm::vec4>(planes));
 }
 
@@ -195,6 +201,7 @@ SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& s
     program.use();
     setMaterial(surface, program);
     setView(scene, surface, program);
+    setClipPlanes(scene, surface, program);
     return program;
 }
 

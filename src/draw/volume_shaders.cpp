@@ -173,14 +173,15 @@ bool addSurface(int number, vec3 at, vec3 local)
 )";
 
 const char* const kSurfacesMain = R"(
-uniform mat4 clipFromLocal;
+uniform mat4 clipFromLocal, edgeShift;
 uniform vec2 part; // of the way to the next plane
 
 void main()
 {
     vec3 way = stepFrom(position), placeWay = placeFromLocal * way;
-    vec3 next = place + placeWay;
-    if (any(lessThan(next, vec3(0.0))) || any(greaterThan(next, vec3(1.0)))) discard;
+    vec3 next = place + placeWay, seen = (edgeShift * vec4(position + way, 1.0)).xyz - position;
+    vec3 end = place + placeFromLocal * seen;
+    if (any(lessThan(end, vec3(0.0))) || any(greaterThan(end, vec3(1.0)))) discard;
     if (isClipped(vec4(position, 1.0)) || isClipped(vec4(position + way, 1.0))) discard;
     float here = textureLod(voxels, place, 0.0).r, there = textureLod(voxels, next, 0.0).r;
     if (!crossesAny(here, there)) discard;
@@ -218,6 +219,7 @@ void main()
 const char* const kRayFunctions = R"(
 in vec2 device;
 uniform mat3 rayOrigins, rayDirections;
+uniform vec3 originShift, wayShift; // to where pixels look for edges
 uniform vec2 depthsSeen;
 uniform float depthBase;
 uniform vec4 depthsInWindow;
@@ -247,9 +249,10 @@ void cut(inout vec2 range, float value, float slope)
 vec2 depthsOn(vec3 origin, vec3 way)
 {
     vec2 range = depthsSeen;
+    vec3 from = (origin + originShift) / dimensions, along = (way + wayShift) / dimensions;
     for (int axis = 0; axis < 3; ++axis) {
-        cut(range, origin[axis] / dimensions[axis] + 0.5, way[axis] / dimensions[axis]);
-        cut(range, 0.5 - origin[axis] / dimensions[axis], -way[axis] / dimensions[axis]);
+        cut(range, from[axis] + 0.5, along[axis]);
+        cut(range, 0.5 - from[axis], -along[axis]);
     }
 #if CLIP_PLANES > 0
     for (int i = 0; i < CLIP_PLANES; ++i)

@@ -147,6 +147,12 @@ inline double sampleDepth(double spacing, double k)
     return (k + 0.5) * spacing;
 }
 
+/// A pixel whose centre lies on an edge (of a volume's box, a tetrahedron, a triangle, at a clip plane)
+/// belongs to one of its two sides: to what is on its right, or above it where the edge is level. It looks
+/// for edges, and for nothing else, this far past its centre: far more than rounding moves them, far less
+/// than the steps in which OpenGL places corners; and less up than to the right.
+constexpr double kPixelsPastCenter = 1.0 / 2048.0, kPixelsAboveCenter = kPixelsPastCenter / 2.0;
+
 /// A picture: red, green, blue (multiplied by alpha) and alpha, rows from the bottom; and the depth in eye
 /// space of what was seen first with an opacity of at least 1/2 so far, or infinity.
 struct ScenePicture

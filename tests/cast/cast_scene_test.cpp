@@ -148,6 +148,18 @@ TEST(castScene, clipPlanesCutVolumes)
     EXPECT_GT(pixelOf(picture, 16, 20).r, 0.0f);
 }
 
+TEST(castScene, halvesAtAClipPlaneThroughCentersShareNoPixel)
+{
+    // Pixels are 1 wide, the middle of the ninth lies at 1/2: all numbers are exact.
+    StyledScene scene = orthoScene(16, 8.0);
+    scene.volumes.assign(2, boxOf(constantTexture(1.0f, 0.1f)));
+    scene.volumes[0].clipPlanes = {{1.0, 0.0, 0.0, -0.5}};
+    scene.volumes[1].clipPlanes = {{-1.0, 0.0, 0.0, 0.5}};
+    const ScenePicture picture = castOf(scene);
+    for (int x = 4; x < 12; ++x)
+        EXPECT_NEAR(pixelOf(picture, x, 8).r, 1.0 - std::pow(0.9, 8.0), 1e-5) << x;
+}
+
 TEST(castScene, nearAndFarPlanesCutVolumes)
 {
     StyledScene scene = orthoScene();

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,29 +36,38 @@ Ray carried(const dmat4& matrix, const Ray& ray)
     return {dvec3(matrix * dvec4(ray.start, 1.0)), dvec3(matrix * dvec4(ray.perDepth, 0.0))};
 }
 
-/// A pixel, and the depths that are seen there.
+/// A pixel, and the depths that are seen there. What lies on an edge through its centre it sees on the right
+/// of the edge, or above: along `edges`.
 struct Sight
 {
-    Ray eye, world;
+    Ray eye, world, edges;
     double nearest = 0.0, farthest = kInfinity;
 };
 
-Sight sightOf(const StyledScene& scene, int x, int y)
+/// Of a point in pixels from the lower left corner; its edges are its own.
+Sight sightOf(const StyledScene& scene, double x, double y)
 {
     const dmat4 eyeFromClip = glm::inverse(scene.clipFromEye);
-    const double u = (x + 0.5) / scene.width * 2.0 - 1.0;
-    const double v = (y + 0.5) / scene.height * 2.0 - 1.0;
+    const double u = x / scene.width * 2.0 - 1.0;
+    const double v = y / scene.height * 2.0 - 1.0;
     const auto unprojected = [&](double w) { return eyeFromClip * dvec4(u, v, w, 1.0); };
     const dvec3 front = dvec3(unprojected(-1.0)) / unprojected(-1.0).w;
     const dvec3 middle = dvec3(unprojected(0.0)) / unprojected(0.0).w;
     Sight sight;
     sight.eye.perDepth = (middle - front) / (front.z - middle.z);
     sight.eye.start = front + sight.eye.perDepth * front.z;
-    sight.world = carried(glm::inverse(scene.eyeFromWorld), sight.eye);
+    sight.edges = sight.world = carried(glm::inverse(scene.eyeFromWorld), sight.eye);
     sight.nearest = -front.z;
     const dvec4 back = unprojected(1.0);
     const double farthest = -back.z / back.w;
     if (std::abs(back.w) > 1e-12 && farthest > sight.nearest) sight.farthest = farthest;
+    return sight;
+}
+
+Sight sightOfPixel(const StyledScene& scene, int x, int y)
+{
+    Sight sight = sightOf(scene, x + 0.5, y + 0.5);
+    sight.edges = sightOf(scene, x + 0.5 + kPixelsPastCenter, y + 0.5 + kPixelsAboveCenter).world;
     return sight;
 }
 
@@ -83,6 +93,7 @@ struct Hit
     dvec3 weights{0.0}; ///< of the corners
 };
 
+/// With the plane of a triangle.
 std::optional<Hit> hitOf(const Ray& ray, const std::array<dvec3, 3>& corners)
 {
     const dvec3 a = corners[1] - corners[0];
@@ -90,9 +101,14 @@ std::optional<Hit> hitOf(const Ray& ray, const std::array<dvec3, 3>& corners)
     const dmat3 system(a, b, -ray.perDepth);
     if (std::abs(glm::determinant(system)) < 1e-300) return std::nullopt;
     const dvec3 solution = glm::inverse(system) * (ray.start - corners[0]);
-    const double first = 1.0 - solution.x - solution.y;
-    if (solution.x < 0.0 || solution.y < 0.0 || first < 0.0) return std::nullopt;
-    return Hit{solution.z, {first, solution.x, solution.y}};
+    return Hit{solution.z, {1.0 - solution.x - solution.y, solution.x, solution.y}};
+}
+
+std::optional<Hit> hitOf(const Sight& sight, const std::array<dvec3, 3>& corners)
+{
+    const std::optional<Hit> beside = hitOf(sight.edges, corners);
+    if (!beside || glm::any(glm::lessThan(beside->weights, dvec3(0.0)))) return std::nullopt;
+    return hitOf(sight.world, corners);
 }
 
 template <class T>
@@ -136,7 +152,7 @@ void addSurface(const StyledSurface& surface, const Sight& sight, std::vector<Se
             indices[i] = static_cast<std::size_t>(surface.triangles[t + i]);
             corners[i] = dvec3(surface.worldFromLocal * dvec4(dvec3(surface.positions[indices[i]]), 1.0));
         }
-        const auto hit = hitOf(sight.world, corners);
+        const auto hit = hitOf(sight, corners);
         if (!hit || hit->depth < sight.nearest || hit->depth > sight.farthest) continue;
         // An edge that two triangles share is one place.
         const bool again =
@@ -144,7 +160,7 @@ void addSurface(const StyledSurface& surface, const Sight& sight, std::vector<Se
                 return std::abs(seen.depth - hit->depth) < 1e-9 * hit->depth;
             });
         const dvec3 world = sight.world.at(hit->depth);
-        if (again || isClipped(surface.clipPlanes, world)) continue;
+        if (again || isClipped(surface.clipPlanes, sight.edges.at(hit->depth))) continue;
         const dvec3 outside = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const bool fromBehind = (glm::dot(outside, sight.world.perDepth) > 0.0) != mirrored;
         if (fromBehind && surface.solid) continue;
@@ -162,17 +178,17 @@ struct Spot
     dmat3 placeFromLocal{1.0};
 };
 
-std::optional<Spot> spotInBox(const dvec3& dimensions, const dvec3& position)
+std::optional<Spot> spotInBox(const dvec3& dimensions, const dvec3& position, const dvec3& beside)
 {
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(position[axis]) > dimensions[axis] / 2.0) return std::nullopt;
+        if (std::abs(beside[axis]) > dimensions[axis] / 2.0) return std::nullopt;
     dmat3 placeFromLocal(0.0);
     for (int axis = 0; axis < 3; ++axis)
         placeFromLocal[axis][axis] = 1.0 / dimensions[axis];
     return Spot{position / dimensions + 0.5, placeFromLocal};
 }
 
-std::optional<Spot> spotInTetras(const StyledTetras& tetras, const dvec3& position)
+std::optional<Spot> spotInTetras(const StyledTetras& tetras, const dvec3& position, const dvec3& beside)
 {
     const auto corner = [&](const std::vector<glm::vec3>& of, std::size_t index) {
         return dvec3(of[static_cast<std::size_t>(tetras.indices[index])]);
@@ -186,18 +202,20 @@ std::optional<Spot> spotInTetras(const StyledTetras& tetras, const dvec3& positi
             placeEdges[i] = corner(tetras.places, t + 1 + static_cast<std::size_t>(i)) - place;
         }
         if (glm::determinant(edges) == 0.0) continue;
-        const dvec3 weights = glm::inverse(edges) * (position - origin);
+        const dvec3 weights = glm::inverse(edges) * (beside - origin);
         if (std::min({weights.x, weights.y, weights.z, 1.0 - weights.x - weights.y - weights.z}) < 0.0)
             continue;
-        return Spot{place + placeEdges * weights, placeEdges * glm::inverse(edges)};
+        const dmat3 placeFromLocal = placeEdges * glm::inverse(edges);
+        return Spot{place + placeFromLocal * (position - origin), placeFromLocal};
     }
     return std::nullopt;
 }
 
-std::optional<Spot> spotIn(const StyledVolume& volume, const dvec3& position)
+/// `beside`: whether that lies in the volume decides.
+std::optional<Spot> spotIn(const StyledVolume& volume, const dvec3& position, const dvec3& beside)
 {
-    return volume.tetras ? spotInTetras(*volume.tetras, position)
-                         : spotInBox(dvec3(volume.dimensions), position);
+    return volume.tetras ? spotInTetras(*volume.tetras, position, beside)
+                         : spotInBox(dvec3(volume.dimensions), position, beside);
 }
 
 /// A volume along one ray.
@@ -205,7 +223,8 @@ class Walk
 {
 public:
     Walk(const StyledVolume& volume, const Sight& sight)
-        : volume_(volume), sight_(sight), local_(carried(glm::inverse(volume.worldFromLocal), sight.world))
+        : volume_(volume), sight_(sight), local_(carried(glm::inverse(volume.worldFromLocal), sight.world)),
+          localEdges_(carried(glm::inverse(volume.worldFromLocal), sight.edges))
     {
     }
 
@@ -234,18 +253,18 @@ public:
         };
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-1.0, 1.0})
-                enter(0.5 * static_cast<double>(volume_.dimensions[axis]) + side * local_.start[axis],
-                      side * local_.perDepth[axis]);
+                enter(0.5 * static_cast<double>(volume_.dimensions[axis]) + side * localEdges_.start[axis],
+                      side * localEdges_.perDepth[axis]);
         for (const dvec4& plane : volume_.clipPlanes)
-            enter(glm::dot(plane, dvec4(sight_.world.start, 1.0)),
-                  glm::dot(plane, dvec4(sight_.world.perDepth, 0.0)));
+            enter(glm::dot(plane, dvec4(sight_.edges.start, 1.0)),
+                  glm::dot(plane, dvec4(sight_.edges.perDepth, 0.0)));
         return entry;
     }
 
     std::optional<Spot> spotAt(double depth) const
     {
-        if (isClipped(volume_.clipPlanes, sight_.world.at(depth))) return std::nullopt;
-        return spotIn(volume_, local_.at(depth));
+        if (isClipped(volume_.clipPlanes, sight_.edges.at(depth))) return std::nullopt;
+        return spotIn(volume_, local_.at(depth), localEdges_.at(depth));
     }
 
     /// Before any style; its normal, which takes most of the time, may be left out where nothing reads it.
@@ -295,7 +314,7 @@ private:
 
     const StyledVolume& volume_;
     const Sight& sight_;
-    Ray local_;
+    Ray local_, localEdges_;
 };
 
 /// The chain of a sample's segment, or nothing.
@@ -315,7 +334,7 @@ const StyleChain* chainAt(const StyledVolume& volume, const dvec3& place)
 /// The opacity at a position, seen along the normal; 0 outside.
 double opacityToLight(const StyledVolume& volume, const dvec3& position)
 {
-    const auto spot = spotIn(volume, position);
+    const auto spot = spotIn(volume, position, position);
     const dvec3 world(volume.worldFromLocal * dvec4(position, 1.0));
     if (!spot || isClipped(volume.clipPlanes, world)) return 0.0;
     const StyleChain* const chain = chainAt(volume, spot->place);
@@ -510,7 +529,7 @@ std::vector<double> styledReference(const StyledScene& scene)
     std::vector<double> picture;
     for (int y = 0; y < scene.height; ++y)
         for (int x = 0; x < scene.width; ++x) {
-            const Sight sight = sightOf(scene, x, y);
+            const Sight sight = sightOfPixel(scene, x, y);
             dvec4 sum(0.0);
             for (const Seen& seen : seenAlong(scene, sight))
                 sum += (1.0 - sum.a) * seen.opacity * dvec4(seen.color, 1.0);
