@@ -98,12 +98,11 @@ private:
         fragments_ = surfaceTile_.translucent(index);
         while (!fragments_.empty() && fragments_.back().depth >= opaque.depth)
             fragments_ = fragments_.first(fragments_.size() - 1);
-        const double end = firstOpaque(opaque.depth);
         active_.clear();
         for (Stream& stream : streams_) {
             std::span<const TetraSpan> spans;
             if (stream.volume->tetras) spans = stream.tetras.of(index);
-            if (stream.ray.begin(ray, rays_.depths(), end, spans) && stream.ray.next(stream.run))
+            if (stream.ray.begin(ray, rays_.depths(), opaque.depth, spans) && stream.ray.next(stream.run))
                 active_.push_back(&stream);
         }
         Pixel pixel;
@@ -126,14 +125,6 @@ private:
         const SurfaceFragment& surface = surfaceTile_.opaque(pixel);
         if (nearestPoints_.empty() || nearestPoints_[pixel].depth >= surface.depth) return surface;
         return nearestPoints_[pixel];
-    }
-
-    /// Where no more is seen: at the opaque surface, or at one that is opaque here.
-    double firstOpaque(double depth) const
-    {
-        const auto first = std::find_if(fragments_.begin(), fragments_.end(),
-                                        [](const SurfaceFragment& f) { return f.color.a >= 1.0f; });
-        return first == fragments_.end() ? depth : first->depth;
     }
 
     /// Adds what is in front of all else that is left; false if nothing is.

@@ -210,7 +210,7 @@ public:
         if (!isSound(surface)) return;
         const DepthRay local = transformed(glm::inverse(surface.worldFromLocal), world_);
         for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3)
-            lookAtTriangle(surface, local, &surface.triangles[i]);
+            lookAtTriangle(surface, local, i);
     }
 
     /// After all surfaces.
@@ -369,10 +369,10 @@ private:
         return first;
     }
 
-    void lookAtTriangle(const StyledSurface& surface, const DepthRay& local, const int* corners)
+    void lookAtTriangle(const StyledSurface& surface, const DepthRay& local, std::size_t first)
     {
-        const auto corner = [&](int i) {
-            return glm::dvec3(surface.positions[static_cast<std::size_t>(corners[i])]);
+        const auto corner = [&](std::size_t i) {
+            return glm::dvec3(surface.positions[static_cast<std::size_t>(surface.triangles[first + i])]);
         };
         const glm::dvec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
         const glm::dvec3 normal = glm::cross(ab, ac);
@@ -387,7 +387,7 @@ private:
         const glm::dvec3 world = world_.at(depth);
         for (const glm::dvec4& plane : surface.clipPlanes)
             if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0) return;
-        if (surface.isOpaque()) opaque_ = std::min(opaque_, depth);
+        if (surface.isOpaque(first)) opaque_ = std::min(opaque_, depth);
         if (depth >= front_) return;
         front_ = depth;
         const glm::dvec3 unit = glm::normalize(against > 0 ? normal : -normal);

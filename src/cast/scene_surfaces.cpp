@@ -34,6 +34,7 @@ struct CastSurfaces::Prepared
 struct CastSurfaces::Triangle
 {
     std::uint32_t surface;
+    bool isOpaque;
     std::array<std::uint32_t, 3> corners;
 };
 
@@ -152,7 +153,7 @@ void CastSurfaces::prepare(const StyledSurface& surface)
 void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
 {
     const Prepared& prepared = surfaces_[surface];
-    Triangle triangle{surface, {}};
+    Triangle triangle{surface, prepared.styled->isOpaque(first), {}};
     std::array<glm::dvec3, 3> windows;
     for (std::size_t i = 0; i < 3; ++i) {
         triangle.corners[i] = static_cast<std::uint32_t>(prepared.styled->triangles[first + i]);
@@ -194,7 +195,7 @@ void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Cove
             const DepthRay ray = transformed(rays_.worldFromEye(), rays_.ray(place.x, place.y));
             hit.front = glm::dot(outward, ray.direction) < 0.0;
             if (!isSeen(prepared, hit, ray)) continue;
-            if (prepared.styled->isOpaque())
+            if (triangle.isOpaque)
                 covered.opaque[hit.pixel] = hit;
             else
                 covered.translucent.push_back(hit);
@@ -223,7 +224,7 @@ void CastSurfaces::draw(const PictureTile& tile, SurfaceTile& result) const
     covered.opaque.resize(pixels);
     for (const bool opaque : {true, false})
         for (const Triangle& triangle : triangles)
-            if (surfaces_[triangle.surface].styled->isOpaque() == opaque) cover(triangle, tile, covered);
+            if (triangle.isOpaque == opaque) cover(triangle, tile, covered);
     std::stable_sort(covered.translucent.begin(), covered.translucent.end(), [](const Hit& a, const Hit& b) {
         return a.pixel != b.pixel ? a.pixel < b.pixel : a.depth < b.depth;
     });

@@ -18,7 +18,7 @@ namespace vo {
 
 namespace {
 
-constexpr int kOpaqueValues = 6;       ///< position, normal
+constexpr int kOpaqueValues = 10;      ///< position, normal, colour
 constexpr int kTranslucentValues = 17; ///< those, colour, plane, depths and margin
 /// Slabs into which the depths of translucent triangles are divided at least: triangles that cross are out of
 /// order within a slab alone.
@@ -27,6 +27,22 @@ constexpr double kLeastSlabs = 512.0;
 glm::vec3 normalAt(const StyledSurface& surface, std::size_t vertex)
 {
     return vertex < surface.normals.size() ? surface.normals[vertex] : glm::vec3(0.0f);
+}
+
+glm::vec4 colorAt(const StyledSurface& surface, std::size_t vertex)
+{
+    return surface.colors.empty() ? glm::vec4(0.0f) : surface.colors[vertex];
+}
+
+/// The corners of the triangles that nothing shows through.
+std::vector<std::uint32_t> opaqueCorners(const StyledSurface& surface)
+{
+    std::vector<std::uint32_t> corners;
+    for (std::size_t first = 0; first + 2 < surface.triangles.size(); first += 3)
+        if (surface.isOpaque(first))
+            for (std::size_t i = first; i < first + 3; ++i)
+                corners.push_back(static_cast<std::uint32_t>(surface.triangles[i]));
+    return corners;
 }
 
 /// As programs compare depths: on the same side of a border here and there.
@@ -75,17 +91,20 @@ void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, Sce
 {
     std::vector<float> records;
     for (const StyledSurface& surface : scene.surfaces) {
-        if (!surface.isOpaque() || !isSound(surface)) continue;
+        if (!isSound(surface)) continue;
+        const std::vector<std::uint32_t> indices = opaqueCorners(surface);
+        if (indices.empty()) continue;
         records.clear();
         for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
             append(records, surface.positions[vertex]);
             append(records, normalAt(surface, vertex));
+            append(records, colorAt(surface, vertex));
         }
-        const std::vector<std::uint32_t> indices(surface.triangles.begin(), surface.triangles.end());
         useSurfaceProgram(scene, surface, SurfacePart::whole, resources.programs);
         arrays.send(records.data(), records.size());
         arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
         arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
+        arrays.attribute(kSurfaceColor, 4, 6, kOpaqueValues);
         arrays.sendIndices(indices.data(), indices.size());
         resources.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT,
                                           nullptr);
@@ -98,6 +117,7 @@ void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t numbe
     const glm::dmat4 eyeFromLocal = scene_->eyeFromWorld * surface.worldFromLocal;
     const EyeRays rays = eyeRays(scene_->clipFromEye);
     for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
+        if (surface.isOpaque(i)) continue;
         std::array<glm::dvec3, 3> eye;
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
@@ -115,7 +135,7 @@ void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t numbe
             const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
             append(records, surface.positions[vertex]);
             append(records, normalAt(surface, vertex));
-            append(records, surface.colors.empty() ? glm::vec4(0.0f) : surface.colors[vertex]);
+            append(records, colorAt(surface, vertex));
             append(records, glm::dvec4(normal, -glm::dot(normal, eye[0])));
             append(records, glm::dvec3(-nearest, -farthest, margin));
         }
@@ -179,7 +199,7 @@ void TranslucentSurfaces::gatherTriangles(std::vector<float>& records)
 {
     triangles_.clear();
     for (std::size_t number = 0; number < scene_->surfaces.size(); ++number)
-        if (const StyledSurface& surface = scene_->surfaces[number]; !surface.isOpaque() && isSound(surface))
+        if (const StyledSurface& surface = scene_->surfaces[number]; isSound(surface))
             gather(surface, number, records);
 }
 

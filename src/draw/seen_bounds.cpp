@@ -1,5 +1,7 @@
 #include "draw/seen_bounds.h"
 
+#include "style/styled_voxels.h"
+
 #include <algorithm>
 #include <array>
 
@@ -23,6 +25,14 @@ void addPoint(const glm::dvec4& eye, const glm::dvec4& clip, SeenBounds& bounds)
 bool areApart(double lower, double upper, double otherLower, double otherUpper)
 {
     return upper < otherLower || otherUpper < lower;
+}
+
+bool showsThrough(const StyledSurface& surface)
+{
+    if (!isSound(surface)) return false;
+    for (std::size_t first = 0; first + 2 < surface.triangles.size(); first += 3)
+        if (!surface.isOpaque(first)) return true;
+    return false;
 }
 
 } // namespace
@@ -61,7 +71,8 @@ std::vector<bool> standingAlone(const StyledScene& scene, std::span<const Styled
     for (const StyledVolume* const volume : volumes)
         all.push_back(seenBounds(scene, *volume));
     for (const StyledSurface& surface : scene.surfaces)
-        if (!surface.isOpaque()) all.push_back(seenBounds(scene, surface.worldFromLocal, surface.positions));
+        if (showsThrough(surface))
+            all.push_back(seenBounds(scene, surface.worldFromLocal, surface.positions));
     std::vector<bool> alone;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         bool isAlone = true;

@@ -7,7 +7,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -113,7 +115,15 @@ struct StyledSurface
     std::vector<glm::dvec4> clipPlanes; ///< world
     int id = 0;
 
-    bool isOpaque() const { return transparency <= 0.0f && colors.empty(); }
+    /// Nothing shows through a triangle, given where it begins in `triangles`.
+    bool isOpaque(std::size_t first) const
+    {
+        const auto isSolid = [this](int corner) {
+            return colors[static_cast<std::size_t>(corner)].a >= 1.0f;
+        };
+        const auto corners = triangles.begin() + static_cast<std::ptrdiff_t>(first);
+        return colors.empty() ? transparency <= 0.0f : std::all_of(corners, corners + 3, isSolid);
+    }
 };
 
 /// Sky and ground colours, from the zenith and the nadir down and up (Background of X3D).

@@ -279,4 +279,50 @@ TEST_P(SceneEdges, neighboursHaveEachPixelOnce)
     }
 }
 
+/// A square at z = 0 whose corners have opacities of their own.
+StyledSurface colored(const std::vector<float>& opacities)
+{
+    StyledSurface surface = pane(0.0, 0.0, 10.0);
+    surface.transparency = 0.5f; // of no account beside colours
+    for (const float opacity : opacities)
+        surface.colors.emplace_back(0.0f, 0.0f, 1.0f, opacity);
+    return surface;
+}
+
+/// Values rise away from the eye: a projection that ends at the square shows what is just before it.
+TEST_P(SceneEdges, trianglesWithOpaqueCornersHideWhatIsBehindAlsoInProjections)
+{
+    StyledScene scene = sceneOf(4.0);
+    scene.volumes = {cube(4.0, 0.0)};
+    scene.volumes[0].voxels = bytes({4, 4, 4}, [](const glm::dvec3& place) { return 0.8 - 0.6 * place.z; });
+    scene.volumes[0].projection = RayProjection{};
+    const double before = 0.8 - 0.6 * 0.625, last = 0.8 - 0.6 * 0.125;
+    const std::vector<std::pair<std::vector<float>, double>> cases{
+        {{1.0f, 1.0f, 1.0f, 1.0f}, before},
+        {{0.9f, 0.9f, 0.9f, 0.9f}, last},
+        // The first triangle is below the diagonal, and opaque.
+        {{1.0f, 1.0f, 1.0f, 0.5f}, before}};
+    for (const auto& [opacities, value] : cases) {
+        scene.surfaces = {colored(opacities)};
+        for (const auto& [engine, picture] : pictures(scene))
+            EXPECT_NEAR(pixelAt(picture, 11, 8)[0], value, 0.5 / 255.0 + 1e-4)
+                << engine << ", " << opacities[3];
+    }
+    scene.surfaces = {colored({1.0f, 1.0f, 1.0f, 0.5f})};
+    for (const auto& [engine, picture] : pictures(scene))
+        EXPECT_NEAR(pixelAt(picture, 8, 11)[0], last, 0.5 / 255.0 + 1e-4) << engine;
+    // Without a projection, too: as if opaque surfaces had no colours of corners.
+    scene.volumes[0].projection.reset();
+    for (const std::vector<float>& opacities :
+         {std::vector<float>(4, 1.0f), std::vector<float>{1, 1, 1, 0.5f}}) {
+        scene.surfaces = {colored(opacities)};
+        StyledScene plain = scene;
+        plain.surfaces = {pane(0.0, 0.0, 10.0)};
+        const auto expected = pictures(plain).back().second;
+        for (const auto& [engine, picture] : pictures(scene))
+            for (std::size_t c = 0; c < 4; ++c)
+                EXPECT_NEAR(pixelAt(picture, 11, 8)[c], pixelAt(expected, 11, 8)[c], 1e-4) << engine;
+    }
+}
+
 } // namespace

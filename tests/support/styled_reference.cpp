@@ -166,6 +166,7 @@ void addSurface(const StyledSurface& surface, const Sight& sight, std::vector<Se
         if (fromBehind && surface.solid) continue;
         const dvec3 V = -glm::normalize(sight.world.perDepth);
         all.push_back(shadedSurface(surface, indices, *hit, world, V, fromBehind));
+        if (surface.isOpaque(t)) all.back().opacity = 1.0;
     }
 }
 
