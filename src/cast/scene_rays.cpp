@@ -1,5 +1,7 @@
 #include "cast/scene_rays.h"
 
+#include "cast/edge_shift.h"
+
 #include <glm/vec2.hpp>
 
 #include <algorithm>

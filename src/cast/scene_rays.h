@@ -55,10 +55,6 @@ private:
 /// Where a point of eye space stands in the picture: pixels from its left and lower edge times w, and w.
 glm::dvec3 windowOf(const StyledScene& scene, const glm::dvec4& eye);
 
-/// Moves what a pixel's ray passes, in eye space, to where the pixel looks for edges (kPixelsPastCenter). The
-/// matrices must be invertible.
-glm::dmat4 edgeShift(const StyledScene& scene);
-
 /// The ray in another space.
 DepthRay transformed(const glm::dmat4& matrix, const DepthRay& ray);
 

@@ -1,7 +1,7 @@
 #include "draw/draw_volumes.h"
 
 #include "cast/clear_space.h"
-#include "cast/scene_rays.h"
+#include "cast/edge_shift.h"
 #include "core/invertible.h"
 #include "draw/occupied_layers.h"
 #include "draw/scene_view_point.h"

@@ -1,6 +1,6 @@
 #include "draw/surface_program.h"
 
-#include "cast/scene_rays.h"
+#include "cast/edge_shift.h"
 #include "draw/ray_hits.h"
 #include "draw/scene_view_point.h"
 #include "style/power.h"
