@@ -72,6 +72,7 @@ HWY_INLINE Floats weightOf(Ints weight)
 struct ByteSampler
 {
     static constexpr int kChannels = 1;
+    static constexpr bool kIsNumber = true; ///< no answer is a NaN
     static constexpr std::size_t kCellBytes = 2;
 
     explicit ByteSampler(const GridView& grid)
@@ -132,6 +133,7 @@ private:
 struct ShortSampler
 {
     static constexpr int kChannels = 1;
+    static constexpr bool kIsNumber = true;
     static constexpr std::size_t kCellBytes = 4;
 
     explicit ShortSampler(const GridView& grid)
@@ -165,6 +167,7 @@ template <int kNumbers>
 struct FloatSampler
 {
     static constexpr int kChannels = kNumbers;
+    static constexpr bool kIsNumber = false;
     static constexpr std::size_t kCellBytes = std::size_t{4} * kNumbers;
 
     explicit FloatSampler(const GridView& grid)

@@ -44,13 +44,14 @@ private:
     float base_[4];
 };
 
-/// Where a sample falls in a table of `last` + 1 entries.
+/// Where a sample falls in a table of `last` + 1 entries, or of so many steps for each of them.
 class TablePlace
 {
 public:
-    TablePlace(const ShadingPlan& plan, float rawUnit)
-        : scale_(static_cast<float>(plan.last) / rawUnit), last_(static_cast<float>(plan.last)),
-          clearEnd_(plan.clearEntries() > 0 ? static_cast<float>(plan.clearEntries() - 1)
+    TablePlace(const ShadingPlan& plan, float rawUnit, int steps = 1)
+        : scale_(static_cast<float>(plan.last * steps) / rawUnit),
+          last_(static_cast<float>(plan.last * steps)),
+          clearEnd_(plan.clearEntries() > 0 ? static_cast<float>((plan.clearEntries() - 1) * steps)
                                             : -std::numeric_limits<float>::infinity())
     {
     }
@@ -132,6 +133,47 @@ public:
 private:
     const ShadingPlan::PackedPair *redAlpha_, *greenBlue_;
     float entryScale_[4], differenceScale_[4];
+};
+
+/// Of smooth entries: one read a sample.
+class SmoothShade : public TablePlace
+{
+public:
+    SmoothShade(const ShadingPlan& plan, float rawUnit)
+        : TablePlace(plan, rawUnit, plan.smoothSteps), entries_(plan.smooth.data()),
+          alphaScale_(plan.entryScale[3]), differenceScale_(plan.smoothDifferenceScale),
+          scale_(plan.smoothScale)
+    {
+    }
+
+    HWY_INLINE IntPairs read(const Key& key) const { return gatherPairs(entries_, key.entry); }
+
+    HWY_INLINE Floats alpha(const Key& key, Ints packed) const
+    {
+        const Ints upper = hn::BitCast(kInts, hn::ShiftRight<16>(hn::BitCast(kUints, packed)));
+        const Floats entry = hn::ConvertTo(kFloats, upper) * hn::Set(kFloats, alphaScale_);
+        const Floats difference = hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(packed)));
+        return hn::MulAdd(key.weight * hn::Set(kFloats, differenceScale_), difference, entry);
+    }
+    HWY_INLINE Floats red(Ints color) const
+    {
+        return scaled(hn::BitCast(kInts, hn::ShiftRight<21>(hn::BitCast(kUints, color))), 0);
+    }
+    HWY_INLINE Floats green(Ints color) const
+    {
+        return scaled(hn::And(hn::ShiftRight<10>(color), hn::Set(kInts, 0x7ff)), 1);
+    }
+    HWY_INLINE Floats blue(Ints color) const { return scaled(hn::And(color, hn::Set(kInts, 0x3ff)), 2); }
+
+private:
+    HWY_INLINE Floats scaled(Ints number, std::size_t c) const
+    {
+        return hn::ConvertTo(kFloats, number) * hn::Set(kFloats, scale_[c]);
+    }
+
+    const ShadingPlan::SmoothEntry* entries_;
+    float alphaScale_, differenceScale_;
+    std::array<float, 3> scale_;
 };
 
 /// 1 - (1 - alpha)^units.

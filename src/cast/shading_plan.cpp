@@ -60,6 +60,51 @@ void packEntries(ShadingPlan& plan)
     }
 }
 
+/// How many steps an entry takes so that colours halfway to the next step are within 1/2040; 0: too many, or
+/// opacities with which a few samples make a pixel, whose errors do not even out.
+int smoothStepsOf(const ShadingPlan& plan)
+{
+    constexpr float kMostSteps = 16.0f, kMostEntries = 4096.0f, kLoss = 1.0f / 2040.0f, kMostAlpha = 0.25f;
+    float most = 0.0f;
+    for (std::size_t i = 0; i < plan.entries[3].size(); i += 2) {
+        if (plan.entries[3][i] > kMostAlpha) return 0;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(plan.entries[c][i + 1]));
+    }
+    const float steps = std::max(std::ceil(most / (2.0f * kLoss)), 1.0f);
+    return steps <= kMostSteps && steps * static_cast<float>(plan.last) < kMostEntries
+               ? static_cast<int>(steps)
+               : 0;
+}
+
+/// Of a plan that has packed entries.
+void addSmoothEntries(ShadingPlan& plan)
+{
+    plan.smooth.clear();
+    plan.smoothSteps = plan.packed() ? smoothStepsOf(plan) : 0;
+    if (plan.smoothSteps == 0) return;
+    constexpr std::array<float, 3> kMost{2047.0f, 2047.0f, 1023.0f};
+    for (std::size_t c = 0; c < 3; ++c)
+        plan.smoothScale[c] = plan.entryScale[c] * 65535.0f / kMost[c];
+    plan.smoothDifferenceScale = plan.differenceScale[3] / static_cast<float>(plan.smoothSteps);
+    const auto steps = static_cast<float>(plan.smoothSteps);
+    for (int i = 0; i <= plan.last * plan.smoothSteps; ++i) {
+        const auto at = 2 * static_cast<std::size_t>(i / plan.smoothSteps);
+        const auto part = static_cast<float>(i % plan.smoothSteps);
+        const auto between = [&](std::size_t c, float weight) {
+            return plan.entries[c][at] + weight / steps * plan.entries[c][at + 1];
+        };
+        const auto color = [&](std::size_t c) {
+            const float number = std::round(between(c, part + 0.5f) / plan.smoothScale[c]);
+            return static_cast<std::uint32_t>(std::clamp(number, 0.0f, kMost[c]));
+        };
+        const float alpha = std::clamp(std::round(between(3, part) / plan.entryScale[3]), 0.0f, 65535.0f);
+        plan.smooth.push_back(
+            {static_cast<std::uint32_t>(alpha) << 16 | (plan.redAlpha[at / 2].second & 0xffffu),
+             color(0) << 21 | color(1) << 10 | color(2)});
+    }
+}
+
 } // namespace
 
 ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool classified)
@@ -72,6 +117,7 @@ ShadingPlan shadingPlan(const CastShading& shading, TexelFormat texel, bool clas
     if (shading.table) {
         setTable(*shading.table, factor, plan);
         packEntries(plan);
+        addSmoothEntries(plan);
     } else {
         plan.slope = factor;
         // Alpha is 1 where the texture has none; replacing keeps the colour's.
@@ -102,6 +148,7 @@ std::optional<ShadingPlan> withUnits(const ShadingPlan& plan, double units)
         pairs[i + 1] = static_cast<float>(opacity(next) - opacity(here));
     }
     packEntries(folded);
+    addSmoothEntries(folded);
     return folded;
 }
 

@@ -29,6 +29,17 @@ struct ShadingPlan
     std::vector<PackedPair> redAlpha, greenBlue;
     bool packed() const { return !redAlpha.empty(); }
     std::array<float, 4> entryScale{}, differenceScale{};
+    /// Of tables whose colours change little between entries: `smoothSteps` for each entry of the table, the
+    /// last one alone, each with alpha as above and with the colour halfway to the next one (red in the upper
+    /// 11 bits, green in 11, blue in 10, each times its `smoothScale`).
+    struct SmoothEntry
+    {
+        std::uint32_t alpha = 0, color = 0;
+    };
+    std::vector<SmoothEntry> smooth;
+    int smoothSteps = 0;
+    float smoothDifferenceScale = 0.0f; ///< of alpha; its entries have entryScale
+    std::array<float, 3> smoothScale{};
     std::array<float, 4> slope{};
     std::array<float, 4> base{};
 

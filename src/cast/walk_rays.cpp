@@ -42,9 +42,11 @@ struct Packet
 {
     alignas(64) float start[3][kLanes]; ///< of the first sample
     alignas(64) float step[3][kLanes];
-    alignas(64) float count[kLanes]; ///< samples
-    alignas(64) float units[kLanes]; ///< of opacity a sample
-    alignas(64) float first[kLanes]; ///< number of the sampling plane of the first sample
+    alignas(64) float count[kLanes];      ///< samples
+    alignas(64) float units[kLanes];      ///< of opacity a sample
+    alignas(64) float first[kLanes];      ///< number of the sampling plane of the first sample
+    alignas(64) float perStep[3][kLanes]; ///< 1 / step; large along axes that the ray hardly moves along
+    std::intptr_t cellsAhead;             ///< from a sample of the middle ray to the one a slab further on
 
     // How far the walk has come.
     alignas(64) float sample[kLanes]; ///< the next one's number, from `first`
@@ -163,11 +165,9 @@ void setRays(const RayJob& job, const double* pixelX, const double* pixelY, int 
     const auto meets = hn::And(first <= last, hn::And(range.low <= range.high, along != zero));
     const Doubles count = hn::IfThenElseZero(meets, last - first + hn::Set(kDoubles, 1.0));
 
-    alignas(64) double values[kDoubleLanes];
+    constexpr hn::Rebind<float, DoubleTag> kHalf;
     const auto put = [&](Doubles from, float* to) {
-        hn::Store(from, kDoubles, values);
-        for (int i = 0; i < kDoubleLanes; ++i)
-            to[lane + i] = static_cast<float>(values[i]);
+        hn::StoreU(hn::DemoteTo(kHalf, from), kHalf, to + lane);
     };
     const Doubles perAlong = hn::Set(kDoubles, 1.0) / along;
     const Doubles t = hn::MulAdd(first, hn::Set(kDoubles, frame.spacing), nearest) * perAlong;
@@ -184,6 +184,22 @@ void setRays(const RayJob& job, const double* pixelX, const double* pixelY, int 
     put(job.gauge ? unitsOf(*job.gauge, direction) : hn::Set(kDoubles, 1.0), packet.units);
 }
 
+/// What the walk asks of the steps of a packet, again and again.
+void setSteps(const GridView& grid, Packet& packet)
+{
+    const std::intptr_t pitch[3] = {1, static_cast<std::intptr_t>(grid.rowPitch),
+                                    static_cast<std::intptr_t>(grid.slicePitch)};
+    packet.cellsAhead = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Floats step = hn::Load(kFloats, packet.step[axis]);
+        const auto moves = hn::Abs(step) > hn::Set(kFloats, 1e-2f);
+        hn::Store(hn::IfThenElse(moves, hn::Set(kFloats, 1.0f) / step, hn::Set(kFloats, 1e6f)), kFloats,
+                  packet.perStep[axis]);
+        const float voxels = kSlab / kPlaceUnit * packet.step[axis][kLanes / 2];
+        packet.cellsAhead += std::lround(std::fmax(-1e5f, std::fmin(voxels, 1e5f))) * pitch[axis];
+    }
+}
+
 /// The packet whose left lower pixel is (x, y). Pixels beyond the tile have no samples.
 void setPacket(const RayJob& job, const PixelRectangle& tile, int x, int y, Packet& packet)
 {
@@ -198,6 +214,7 @@ void setPacket(const RayJob& job, const PixelRectangle& tile, int x, int y, Pack
     for (int lane = 0; lane < kLanes; ++lane)
         if (x + lane % kPacketWidth >= tile.right || y + lane / kPacketWidth >= tile.top)
             packet.count[lane] = 0.0f;
+    setSteps(job.grid, packet);
     packet.next = std::numeric_limits<float>::infinity();
     for (int lane = 0; lane < kLanes; ++lane) {
         packet.sample[lane] = 0.0f;
@@ -272,6 +289,28 @@ struct Fragments<Sampler, PackedShade>
         const IntPairs both = shade.greenBlue(key);
         green = shade.component(key, both.first, 1);
         blue = shade.component(key, both.second, 2);
+    }
+};
+
+/// One read for all.
+template <class Sampler>
+struct Fragments<Sampler, SmoothShade>
+{
+    const SmoothShade& shade;
+    SmoothShade::Key key;
+    IntPairs alphaColor;
+
+    HWY_INLINE Fragments(const Sampler&, const SmoothShade& f, const NoPlace&, Floats answer)
+        : shade(f), key(f.key(answer)), alphaColor(f.read(key))
+    {
+    }
+
+    HWY_INLINE Floats alpha() const { return shade.alpha(key, alphaColor.first); }
+    HWY_INLINE Floats red() const { return shade.red(alphaColor.second); }
+    HWY_INLINE void greenBlue(Floats& green, Floats& blue) const
+    {
+        green = shade.green(alphaColor.second);
+        blue = shade.blue(alphaColor.second);
     }
 };
 
@@ -486,12 +525,8 @@ public:
               kUints, static_cast<std::uint32_t>(job.blockCount.x * job.blockCount.y * job.blockCount.z - 1)))
     {
         for (int axis = 0; axis < 3; ++axis) {
-            const Floats step = hn::Load(kFloats, packet.step[axis]);
-            // A margin, since places are rounded; directions along the other axes reach no face.
-            const Floats size = hn::Abs(step);
-            const auto moves = size > hn::Set(kFloats, 1e-2f);
-            perStep_[axis] = hn::IfThenElse(moves, hn::Set(kFloats, 1.0f) / step, hn::Set(kFloats, 1e6f));
-            forward_[axis] = hn::Or(step >= hn::Zero(kFloats), hn::Not(moves));
+            perStep_[axis] = hn::Load(kFloats, packet.perStep[axis]);
+            forward_[axis] = perStep_[axis] > hn::Zero(kFloats);
         }
     }
 
@@ -520,6 +555,7 @@ public:
             const Ints face = hn::IfThenElse(hn::RebindMask(kInts, forward_[axis]), block[axis] + free,
                                              block[axis] + one - free);
             const Floats way = hn::ConvertTo(kFloats, hn::ShiftLeft<kShift>(face) - place[axis]);
+            // Since places are rounded.
             const Floats margin = hn::CopySign(hn::Set(kFloats, 64.0f), way);
             steps = hn::Min(steps, (way - margin) * perStep_[axis]);
         }
@@ -544,16 +580,9 @@ class Ahead
 {
 public:
     Ahead(const GridView& grid, const Packet& packet)
+        : start_(reinterpret_cast<std::uintptr_t>(grid.cells) +
+                 static_cast<std::uintptr_t>(packet.cellsAhead) * Sampler::kCellBytes)
     {
-        const auto cellsAlong = [&](int axis) {
-            const float voxels = kSlab / kPlaceUnit * packet.step[axis][kLanes / 2];
-            return static_cast<std::intptr_t>(std::lround(std::fmax(-1e5f, std::fmin(voxels, 1e5f))));
-        };
-        const std::intptr_t cells = cellsAlong(0) +
-                                    cellsAlong(1) * static_cast<std::intptr_t>(grid.rowPitch) +
-                                    cellsAlong(2) * static_cast<std::intptr_t>(grid.slicePitch);
-        start_ = reinterpret_cast<std::uintptr_t>(grid.cells) +
-                 static_cast<std::uintptr_t>(cells * static_cast<std::intptr_t>(Sampler::kCellBytes));
     }
 
     HWY_INLINE void ask(const Place& at) const
@@ -642,6 +671,12 @@ template <class Blend, class Sampler, class Shade>
 HWY_INLINE bool addsNothing(const Run<Sampler>& run, const Shade& shade)
 {
     if constexpr (!Blend::kClearAddsNothing) return false;
+    if constexpr (Sampler::kIsNumber) {
+        Floats highest = run.raw[0];
+        for (int i = 1; i < kRun; ++i)
+            highest = hn::Max(highest, run.raw[i]);
+        return hn::AllFalse(kFloats, shade.mayBeSeen(highest));
+    }
     Mask seen = shade.mayBeSeen(run.raw[0]);
     for (int i = 1; i < kRun; ++i)
         seen = hn::Or(seen, shade.mayBeSeen(run.raw[i]));
@@ -760,8 +795,10 @@ void walkSamples(const RayJob& job, const PixelRectangle& tile)
         return walkTile<Sampler, LinearShade, Others>(job, tile);
     }
     // Four channels each have a place of their own in the table.
-    if constexpr (Sampler::kChannels == 1)
+    if constexpr (Sampler::kChannels == 1) {
+        if (shading.smoothSteps > 0) return walkTile<Sampler, SmoothShade, Over>(job, tile);
         if (shading.packed()) return walkTile<Sampler, PackedShade, Over>(job, tile);
+    }
     if (shading.table) return walkTile<Sampler, TableShade, Over>(job, tile);
     return walkTile<Sampler, LinearShade, Over>(job, tile);
 }
