@@ -155,22 +155,23 @@ public:
         const Floats difference = hn::ConvertTo(kFloats, hn::ShiftRight<16>(hn::ShiftLeft<16>(packed)));
         return hn::MulAdd(key.weight * hn::Set(kFloats, differenceScale_), difference, entry);
     }
+    /// Colours as they are stored, to be scaled when they are summed up.
     HWY_INLINE Floats red(Ints color) const
     {
-        return scaled(hn::BitCast(kInts, hn::ShiftRight<21>(hn::BitCast(kUints, color))), 0);
+        const auto number = hn::ShiftRight<21>(hn::BitCast(kUints, color));
+        return hn::ConvertTo(kFloats, hn::BitCast(kInts, number));
     }
     HWY_INLINE Floats green(Ints color) const
     {
-        return scaled(hn::And(hn::ShiftRight<10>(color), hn::Set(kInts, 0x7ff)), 1);
+        return hn::ConvertTo(kFloats, hn::And(hn::ShiftRight<10>(color), hn::Set(kInts, 0x7ff)));
     }
-    HWY_INLINE Floats blue(Ints color) const { return scaled(hn::And(color, hn::Set(kInts, 0x3ff)), 2); }
+    HWY_INLINE Floats blue(Ints color) const
+    {
+        return hn::ConvertTo(kFloats, hn::And(color, hn::Set(kInts, 0x3ff)));
+    }
+    HWY_INLINE float colorScale(std::size_t c) const { return scale_[c]; }
 
 private:
-    HWY_INLINE Floats scaled(Ints number, std::size_t c) const
-    {
-        return hn::ConvertTo(kFloats, number) * hn::Set(kFloats, scale_[c]);
-    }
-
     const ShadingPlan::SmoothEntry* entries_;
     float alphaScale_, differenceScale_;
     std::array<float, 3> scale_;
@@ -208,7 +209,7 @@ HWY_INLINE Floats opacityOver(Floats alpha, Floats units)
     return hn::IfThenElse(alpha >= one, one, one - hn::BitCast(kFloats, scaled));
 }
 
-/// opacityOver for many samples of the same lengths. Small opacities, of which most samples are, take four
+/// opacityOver for many samples of the same lengths. Small opacities, of which most samples are, take five
 /// terms of the binomial series.
 class LengthOfSamples
 {
@@ -217,7 +218,9 @@ public:
         : units_(units), second_(units * (units - number(1)) * number(-1.0f / 2)),
           third_(second_ * (units - number(2)) * number(-1.0f / 3)),
           fourth_(third_ * (units - number(3)) * number(-1.0f / 4)),
-          small_(hn::IfThenElseZero(units < number(kLongest), number(kSmall)))
+          fifth_(fourth_ * (units - number(4)) * number(-1.0f / 5)),
+          small_(hn::IfThenElseZero(units < number(kLongest), number(kSmall))),
+          isShort_(hn::AllTrue(kFloats, units < number(kLongest)))
     {
     }
 
@@ -225,19 +228,33 @@ public:
     {
         if (!hn::AllTrue(kFloats, hn::And(alpha >= hn::Zero(kFloats), alpha < small_)))
             return opacityOver(alpha, units_);
-        Floats series = hn::MulAdd(fourth_, alpha, third_);
-        series = hn::MulAdd(series, alpha, second_);
-        return alpha * hn::MulAdd(series, alpha, units_);
+        return series(alpha);
+    }
+
+    /// Of opacities that are known to be from 0 to kMostSmoothAlpha.
+    HWY_INLINE Floats opacityOfSmooth(Floats alpha) const
+    {
+        static_assert(kMostSmoothAlpha < kSmall);
+        return isShort_ ? series(alpha) : opacityOver(alpha, units_);
     }
 
 private:
-    /// The fifth term is at most 0.03 times the fifth power of alpha: less than 1e-6.
-    static constexpr float kSmall = 1.0f / 8, kLongest = 4.0f;
+    /// The sixth term is at most 0.015 times the sixth power of alpha: less than 5e-6.
+    static constexpr float kSmall = 0.26f, kLongest = 4.0f;
 
     static HWY_INLINE Floats number(float value) { return hn::Set(kFloats, value); }
 
-    Floats units_, second_, third_, fourth_;
+    HWY_INLINE Floats series(Floats alpha) const
+    {
+        Floats sum = hn::MulAdd(fifth_, alpha, fourth_);
+        sum = hn::MulAdd(sum, alpha, third_);
+        sum = hn::MulAdd(sum, alpha, second_);
+        return alpha * hn::MulAdd(sum, alpha, units_);
+    }
+
+    Floats units_, second_, third_, fourth_, fifth_;
     Floats small_;
+    bool isShort_;
 };
 
 } // namespace HWY_NAMESPACE

@@ -60,14 +60,14 @@ void packEntries(ShadingPlan& plan)
     }
 }
 
-/// How many steps an entry takes so that colours halfway to the next step are within 1/2040; 0: too many, or
-/// opacities with which a few samples make a pixel, whose errors do not even out.
+/// How many steps an entry takes so that colours halfway to the next step are within 1/2040; 0: the table is
+/// not smooth.
 int smoothStepsOf(const ShadingPlan& plan)
 {
-    constexpr float kMostSteps = 16.0f, kMostEntries = 4096.0f, kLoss = 1.0f / 2040.0f, kMostAlpha = 0.25f;
+    constexpr float kMostSteps = 16.0f, kMostEntries = 4096.0f, kLoss = 1.0f / 2040.0f;
     float most = 0.0f;
     for (std::size_t i = 0; i < plan.entries[3].size(); i += 2) {
-        if (plan.entries[3][i] > kMostAlpha) return 0;
+        if (plan.entries[3][i] > kMostSmoothAlpha) return 0;
         for (std::size_t c = 0; c < 3; ++c)
             most = std::max(most, std::abs(plan.entries[c][i + 1]));
     }

@@ -9,6 +9,10 @@
 
 namespace vo {
 
+/// The largest opacity in smooth tables: with larger ones a few samples make a pixel, and the errors of their
+/// colours do not even out.
+constexpr float kMostSmoothAlpha = 0.25f;
+
 /// What becomes of a sample, component by component: value * slope + base, or a table's entries, the texture
 /// environment and the colour worked into them.
 struct ShadingPlan
@@ -29,9 +33,9 @@ struct ShadingPlan
     std::vector<PackedPair> redAlpha, greenBlue;
     bool packed() const { return !redAlpha.empty(); }
     std::array<float, 4> entryScale{}, differenceScale{};
-    /// Of tables whose colours change little between entries: `smoothSteps` for each entry of the table, the
-    /// last one alone, each with alpha as above and with the colour halfway to the next one (red in the upper
-    /// 11 bits, green in 11, blue in 10, each times its `smoothScale`).
+    /// Of tables whose colours change little between entries, and whose opacities are small: `smoothSteps`
+    /// for each entry of the table, the last one alone, each with alpha as above and with the colour halfway
+    /// to the next one (red in the upper 11 bits, green in 11, blue in 10, each times its `smoothScale`).
     struct SmoothEntry
     {
         std::uint32_t alpha = 0, color = 0;

@@ -239,6 +239,7 @@ struct NoPlace
 template <class Sampler, class Shade>
 struct Fragments
 {
+    static constexpr bool kIsSmooth = false;
     using At = std::conditional_t<Sampler::kChannels == 1, NoPlace, Place>;
 
     const Sampler& sampler;
@@ -273,6 +274,7 @@ struct Fragments
 template <class Sampler>
 struct Fragments<Sampler, PackedShade>
 {
+    static constexpr bool kIsSmooth = false;
     const PackedShade& shade;
     PackedShade::Key key;
     IntPairs redAlpha;
@@ -296,6 +298,7 @@ struct Fragments<Sampler, PackedShade>
 template <class Sampler>
 struct Fragments<Sampler, SmoothShade>
 {
+    static constexpr bool kIsSmooth = true;
     const SmoothShade& shade;
     SmoothShade::Key key;
     IntPairs alphaColor;
@@ -333,7 +336,7 @@ public:
         const auto seen = hn::And(active, transmittance_ >= hn::Set(kFloats, kLeastTransmittance));
         Floats alpha = hn::IfThenElseZero(seen, source.alpha());
         if (kPremultiplied ? hn::AllFalse(kFloats, seen) : hn::AllTrue(kFloats, alpha == zero)) return;
-        if (perUnit_) alpha = length_.opacity(alpha);
+        if (perUnit_) alpha = Source::kIsSmooth ? length_.opacityOfSmooth(alpha) : length_.opacity(alpha);
         const Floats weight = transmittance_ * alpha;
         const Floats colorWeight = kPremultiplied ? hn::IfThenElseZero(seen, transmittance_) : weight;
         red_ = hn::MulAdd(colorWeight, source.red(), red_);
@@ -775,7 +778,12 @@ void walkTile(const RayJob& job, const PixelRectangle& tile)
     for (int i = 0; i < count; ++i) {
         Blend blend(job, packets[i]);
         blend.goOn(packets[i]);
-        store(job, tile, xOf(i), yOf(i), blend.result());
+        PixelLanes pixels = blend.result();
+        if constexpr (std::is_same_v<Shade, SmoothShade>)
+            for (std::size_t c = 0; c < 3; ++c)
+                pixels.rgbt[c] =
+                    pixels.rgbt[c] * hn::Set(kFloats, shade.colorScale(job.shading->grey ? 0 : c));
+        store(job, tile, xOf(i), yOf(i), pixels);
     }
 }
 
