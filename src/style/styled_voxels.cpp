@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 namespace vo {
 
@@ -52,14 +54,33 @@ bool isSound(const StyledSurface& surface)
            });
 }
 
-int chainOfTexel(const Segments& segments, std::size_t texel, int chains)
+namespace {
+
+/// A segment's number, from the component of this index; the greatest where it is none that can be listed.
+std::size_t segmentAt(const Segments& segments, std::size_t index)
 {
     const VoxelTexture& texture = *segments.identifiers;
-    const std::size_t index =
-        texel * static_cast<std::size_t>(texture.components) + static_cast<std::size_t>(segments.component);
+    // Every voxel is asked for its number: whole ones need no rounding.
+    if (texture.kind == TexelKind::uint8 && segments.scale == 255.0f)
+        return std::to_integer<std::size_t>(texture.texels[index]);
+    if (texture.kind == TexelKind::uint16 && segments.scale == 65535.0f) {
+        std::uint16_t whole = 0;
+        std::memcpy(&whole, texture.texels.data() + index * sizeof whole, sizeof whole);
+        return whole;
+    }
     const float id = std::round(numberAt(texture, index) * segments.scale);
-    const bool listed = id >= 0.0f && id < static_cast<float>(segments.chainOf.size());
-    const int chain = listed ? segments.chainOf[static_cast<std::size_t>(id)] : segments.beyond;
+    const bool isListed = id >= 0.0f && id < static_cast<float>(segments.chainOf.size());
+    return isListed ? static_cast<std::size_t>(id) : std::numeric_limits<std::size_t>::max();
+}
+
+} // namespace
+
+int chainOfTexel(const Segments& segments, std::size_t texel, int chains)
+{
+    const auto components = static_cast<std::size_t>(segments.identifiers->components);
+    const std::size_t id =
+        segmentAt(segments, texel * components + static_cast<std::size_t>(segments.component));
+    const int chain = id < segments.chainOf.size() ? segments.chainOf[id] : segments.beyond;
     return chain < chains ? chain : -1;
 }
 

@@ -1,6 +1,7 @@
 // Texels of textures against double precision, by each instruction set.
 
 #include "style/style.h"
+#include "style/styled_voxels.h"
 #include "support/each_target.h"
 #include "support/reference_styles.h"
 #include "support/sample_places.h"
@@ -10,7 +11,10 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <numeric>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -103,6 +107,48 @@ TEST(SampleTexture, placesThatAreNoNumbersAreAtTheEdge)
         for (const float texel : texels[0])
             ASSERT_NEAR(texel, expected, 1e-6);
     });
+}
+
+/// Identifiers in the second of two components; `full` is what 1 stands for.
+template <class T>
+vo::Segments segmentsOf(vo::TexelKind kind, float full, const std::vector<T>& numbers)
+{
+    auto texture = std::make_shared<vo::VoxelTexture>();
+    texture->size = {static_cast<int>(numbers.size()), 1, 1};
+    texture->components = 2;
+    texture->kind = kind;
+    texture->texels.resize(2 * numbers.size() * sizeof(T));
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        std::memcpy(texture->texels.data() + (2 * i + 1) * sizeof(T), &numbers[i], sizeof(T));
+    return {texture, 1, full, {}, 3};
+}
+
+/// Of number i there is chain i % 5, as long as numbers are listed.
+template <class T>
+void expectChains(vo::Segments segments, const std::vector<T>& numbers, std::size_t listed)
+{
+    for (std::size_t i = 0; i < listed; ++i)
+        segments.chainOf.push_back(static_cast<int>(i % 5));
+    for (std::size_t texel = 0; texel < numbers.size(); ++texel) {
+        const auto number = std::round(static_cast<double>(numbers[texel]));
+        const bool isListed = number >= 0.0 && number < static_cast<double>(listed);
+        const int chain = isListed ? static_cast<int>(std::fmod(number, 5.0)) : 3;
+        ASSERT_EQ(chainOfTexel(segments, texel, 4), chain < 4 ? chain : -1) << number;
+    }
+}
+
+TEST(Segments, everyNumberHasItsChain)
+{
+    std::vector<std::uint8_t> bytes(256);
+    std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+    for (const std::size_t listed : {0u, 100u, 256u, 300u})
+        expectChains(segmentsOf(vo::TexelKind::uint8, 255.0f, bytes), bytes, listed);
+    std::vector<std::uint16_t> words(65536);
+    std::iota(words.begin(), words.end(), std::uint16_t{0});
+    for (const std::size_t listed : {4097u, 65536u})
+        expectChains(segmentsOf(vo::TexelKind::uint16, 65535.0f, words), words, listed);
+    const std::vector<float> floats{0.0f, 1.4f, 1.6f, 98.0f, 99.0f, -3.0f, 1e9f, std::nanf("")};
+    expectChains(segmentsOf(vo::TexelKind::float32, 1.0f, floats), floats, 99);
 }
 
 } // namespace
