@@ -73,7 +73,11 @@ void TimeSensor::pause(const Fields& fields, double now, std::vector<SceneEvent>
     const bool isReached = fields.pauseTime > start_ && now >= fields.pauseTime;
     const bool isWanted = isReached && (fields.resumeTime <= fields.pauseTime || now < fields.resumeTime);
     const bool isLeapt = isReached && !isWanted && !isPaused_ && fields.pauseTime > lastSeen_;
-    if (isLeapt) pausedFor_ += fields.resumeTime - fields.pauseTime;
+    if (isLeapt) {
+        leaptAt_ = fields.pauseTime - start_ - pausedFor_;
+        leaptFor_ = fields.resumeTime - fields.pauseTime;
+        pausedFor_ += leaptFor_;
+    }
     lastSeen_ = now;
     if (isWanted == isPaused_) return;
     if (isWanted)
@@ -84,13 +88,20 @@ void TimeSensor::pause(const Fields& fields, double now, std::vector<SceneEvent>
     send("isPaused", truthValue(isPaused_), events);
 }
 
+/// On the clock. A pause delays the cycles behind it alone, and of those that begin as it does the next.
+double TimeSensor::beginOfCycle(const Fields& fields, double number) const
+{
+    const double elapsed = number * fields.cycleInterval;
+    return start_ + elapsed + pausedFor_ - (elapsed < leaptAt_ ? leaptFor_ : 0.0);
+}
+
 void TimeSensor::tell(const Fields& fields, double now, double elapsed, std::vector<SceneEvent>& events)
 {
     const double cycles = elapsed / fields.cycleInterval;
     // The end of a cycle is 1, not the 0 of the next.
     const double whole = elapsed > 0 ? std::ceil(cycles) - 1 : 0;
     if (whole > lastCycle_) {
-        send("cycleTime", timeValue(start_ + pausedFor_ + whole * fields.cycleInterval), events);
+        send("cycleTime", timeValue(beginOfCycle(fields, whole)), events);
         lastCycle_ = whole;
     }
     send("fraction_changed", std::vector<float>{static_cast<float>(cycles - whole)}, events);
@@ -111,7 +122,7 @@ std::vector<SceneEvent> TimeSensor::advance(double now)
         isActive_ = true;
         isPaused_ = false;
         start_ = lastSeen_ = now_.startTime;
-        pausedFor_ = lastElapsed_ = 0;
+        pausedFor_ = lastElapsed_ = leaptAt_ = leaptFor_ = 0;
         lastCycle_ = -1;
         send("isActive", truthValue(true), events);
     }

@@ -46,6 +46,7 @@ private:
     bool ends(const Fields& fields, double now, double& elapsed) const;
     bool isStopped(const Fields& fields, double now) const;
     double elapsedAt(double now) const;
+    double beginOfCycle(const Fields& fields, double number) const;
     void pause(const Fields& fields, double now, std::vector<SceneEvent>& events);
     void tell(const Fields& fields, double now, double elapsed, std::vector<SceneEvent>& events);
     void send(const char* field, FieldValue value, std::vector<SceneEvent>& events);
@@ -53,6 +54,8 @@ private:
     Node& node_;
     bool isActive_ = false, isPaused_ = false, isDue_ = false, hasBegun_ = false;
     double start_ = 0, pausedAt_ = 0, pausedFor_ = 0, lastElapsed_ = 0;
+    /// The latest pause that the time leapt over: what had elapsed before, and its length.
+    double leaptAt_ = 0, leaptFor_ = 0;
     double lastSeen_ = 0;   ///< of the run, at most its stopTime
     double lastCycle_ = -1; // a whole number
     /// The startTime of a run that is over.

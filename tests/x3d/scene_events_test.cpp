@@ -185,6 +185,23 @@ TEST_F(SceneEventsTest, timeInPausesThatAreLeaptOverDoesNotElapse)
     EXPECT_FALSE(truth("Held", "isActive"));
 }
 
+TEST_F(SceneEventsTest, cyclesThatBeganBeforeAPauseThatIsLeaptOverKeepTheirTime)
+{
+    const std::string looping = " cycleInterval='4' loop='true' ";
+    read("<TimeSensor DEF='After'" + looping + "pauseTime='5' resumeTime='8'/><TimeSensor DEF='Before'" +
+         looping + "pauseTime='3' resumeTime='4.5'/><TimeSensor DEF='At'" + looping +
+         "pauseTime='4' resumeTime='8'/>");
+    events.setTime(0);
+    events.setTime(9);
+    EXPECT_EQ(seconds("After", "elapsedTime"), 6);
+    EXPECT_EQ(seconds("After", "cycleTime"), 4);
+    EXPECT_EQ(seconds("Before", "cycleTime"), 5.5);
+    EXPECT_EQ(seconds("At", "cycleTime"), 8) << "the first ends in the pause";
+    events.setTime(11.5);
+    EXPECT_EQ(seconds("After", "cycleTime"), 11);
+    EXPECT_EQ(seconds("Before", "cycleTime"), 9.5);
+}
+
 TEST_F(SceneEventsTest, runsThatArePausedAtTheFirstTimeAreNotOver)
 {
     const std::string run = "startTime='3' cycleInterval='4' pauseTime=";
