@@ -4,6 +4,7 @@
 #include <array>
 #include <set>
 
+#include "x3d/node_values.h"
 #include "x3d/printable_word.h"
 
 namespace vo {
@@ -49,12 +50,14 @@ bool isTold(const Scene& scene, const Node& node, const std::string& reasons)
                                [&](const SceneMessage& message) { return message.text == text; });
 }
 
-/// One of the files that a field names must be there; those of Inline were read.
+/// One of the files that a field names must be there; those of Inline were read, those of Anchor are for
+/// later.
 void checkUrls(Scene& scene, const Node& node, const FieldRow& row)
 {
     const auto* const urls = std::get_if<std::vector<std::string>>(&node.value(row));
     const bool isUrl = row.name == "url" || row.name.ends_with("Url");
-    if (!isUrl || !urls || urls->empty() || &node.type() == &knownNodeType("Inline")) return;
+    const bool isPicture = !isOf(&node, "X3DChildNode") || isOf(&node, "X3DBindableNode");
+    if (!isUrl || !urls || urls->empty() || !isPicture) return;
     std::string reasons;
     for (const std::string& url : *urls) {
         const auto place = scene.locate(node, url);

@@ -63,6 +63,17 @@ node Transform : X3DGroupingNode | Grouping 1 | children
   SFVec3f [in,out] scale 1 1 1
   SFRotation [in,out] scaleOrientation 0 0 1 0
   SFVec3f [in,out] translation 0 0 0
+node StaticGroup : X3DChildNode X3DBoundedObject | Grouping 3 | children
+  MFNode [] children [] <X3DChildNode>
+node Anchor : X3DGroupingNode X3DUrlObject | Networking 2 | children
+  SFString [in,out] description ""
+  MFString [in,out] parameter []
+node Collision : X3DGroupingNode | Navigation 2 | children
+  @4.0 SFString [in,out] description ""
+  SFBool [in,out] enabled TRUE
+  SFNode [] proxy NULL <X3DChildNode>
+  SFTime [out] collideTime
+  SFBool [out] isActive
 node Switch : X3DGroupingNode | Grouping 2 | children
   SFInt32 [in,out] whichChoice -1 [-1,inf)
 node LOD : X3DGroupingNode | Navigation 2 | children

@@ -228,6 +228,39 @@ Group
   addChildren MFNode [in] -
   removeChildren MFNode [in] -
   children MFNode [in,out] []
+StaticGroup
+  visible SFBool [in,out] TRUE
+  bboxDisplay SFBool [in,out] FALSE
+  bboxSize SFVec3f [] -1 -1 -1
+  bboxCenter SFVec3f [] 0 0 0
+  children MFNode [] []
+Anchor
+  description SFString [in,out] ""
+  load SFBool [in,out] TRUE
+  parameter MFString [in,out] []
+  url MFString [in,out] []
+  autoRefresh SFTime [in,out] 0
+  autoRefreshTimeLimit SFTime [in,out] 3600
+  visible SFBool [in,out] TRUE
+  bboxDisplay SFBool [in,out] FALSE
+  bboxSize SFVec3f [] -1 -1 -1
+  bboxCenter SFVec3f [] 0 0 0
+  addChildren MFNode [in] -
+  removeChildren MFNode [in] -
+  children MFNode [in,out] []
+Collision
+  description SFString [in,out] ""
+  enabled SFBool [in,out] TRUE
+  proxy SFNode [] NULL
+  isActive SFBool [out] -
+  collideTime SFTime [out] -
+  visible SFBool [in,out] TRUE
+  bboxDisplay SFBool [in,out] FALSE
+  bboxSize SFVec3f [] -1 -1 -1
+  bboxCenter SFVec3f [] 0 0 0
+  addChildren MFNode [in] -
+  removeChildren MFNode [in] -
+  children MFNode [in,out] []
 Switch
   whichChoice SFInt32 [in,out] -1
   visible SFBool [in,out] TRUE

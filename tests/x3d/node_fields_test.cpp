@@ -147,7 +147,7 @@ TEST(NodeFields, areThoseOfX3d40)
 {
     EXPECT_EQ(compareNodes("4.0", expected::kIsoStyles, voX3DScope::X3D_40), 10);
     EXPECT_EQ(compareNodes("4.0", expected::kIsoData40, voX3DScope::X3D_40), 3);
-    EXPECT_EQ(compareNodes("4.0", expected::kRound40, voX3DScope::X3D_40), 48);
+    EXPECT_EQ(compareNodes("4.0", expected::kRound40, voX3DScope::X3D_40), 51);
 }
 
 TEST(NodeFields, nodesOfOneEditionHaveItInAnyScene)

@@ -17,6 +17,7 @@ namespace {
 const std::string kVoxels = "<PixelTexture3D image='1 2 2 2 0 255 0 0 0 0 0 0'/>";
 /// A volume that is nothing but there.
 const std::string kVolume = "<VolumeData>" + kVoxels + "</VolumeData>";
+const std::string kDark = "<NavigationInfo headlight='false'/>";
 
 void expectNear(const glm::dvec3& found, const glm::dvec3& expected, double error = 1e-6)
 {
@@ -34,6 +35,34 @@ glm::dvec3 inPicture(const StyledScene& scene, const glm::dvec3& world)
 {
     const glm::dvec4 clip = scene.clipFromEye * scene.eyeFromWorld * glm::dvec4(world, 1.0);
     return glm::dvec3(clip) / clip.w;
+}
+
+/// The scene in a picture of this size.
+const StyledScene& drawnAt(ViewedScene& s, int width, int height)
+{
+    ViewRequest request;
+    request.width = width;
+    request.height = height;
+    return s.draw(request);
+}
+
+/// The scene from a place along -Z, by a camera of the request.
+const StyledScene& drawnFrom(ViewedScene& s, const glm::dvec3& eye)
+{
+    ViewRequest request;
+    request.camera = ViewCamera{};
+    request.camera->eyeFromWorld[3] = glm::dvec4(-eye, 1);
+    return s.draw(request);
+}
+
+glm::dvec3 eyeOf(const StyledScene& scene)
+{
+    return glm::dvec3(glm::inverse(scene.eyeFromWorld)[3]);
+}
+
+const std::vector<StyleLight>& lightsOf(const ViewedScene& s, std::size_t volume = 0)
+{
+    return s.drawn.volumes.at(volume).surroundings.lights;
 }
 
 TEST(StyledView, transformScalesRotatesAndMovesAboutItsCenter)
@@ -67,15 +96,11 @@ TEST(StyledView, groupsMultiplyFromTheOutside)
 TEST(StyledView, viewpointsAngleIsThatOfTheSmallerSide)
 {
     ViewedScene s("<Viewpoint position='0 0 5' fieldOfView='1.5707963'/>" + kVolume);
-    ViewRequest request;
-    request.width = 200;
-    request.height = 100;
-    s.draw(request);
-    expectNear({inPicture(s.drawn, {0, 5, 0}).y, inPicture(s.drawn, {5, 0, 0}).x, 0}, {1, 0.5, 0});
-    request.width = 100;
-    request.height = 200;
-    s.draw(request);
-    expectNear({inPicture(s.drawn, {0, 5, 0}).y, inPicture(s.drawn, {5, 0, 0}).x, 0}, {0.5, 1, 0});
+    const auto ends = [](const StyledScene& scene) {
+        return glm::dvec3(inPicture(scene, {0, 5, 0}).y, inPicture(scene, {5, 0, 0}).x, 0);
+    };
+    expectNear(ends(drawnAt(s, 200, 100)), {1, 0.5, 0});
+    expectNear(ends(drawnAt(s, 100, 200)), {0.5, 1, 0});
 }
 
 TEST(StyledView, viewpointInScaledGroupStaysRigid)
@@ -84,7 +109,7 @@ TEST(StyledView, viewpointInScaledGroupStaysRigid)
                         "<Viewpoint position='0 0 1'/></Transform>" +
                         kVolume);
     const glm::dmat4 worldFromEye = glm::inverse(s.drawn.eyeFromWorld);
-    expectNear(glm::dvec3(worldFromEye[3]), {5, 0, 3}, 1e-5);
+    expectNear(eyeOf(s.drawn), {5, 0, 3}, 1e-5);
     expectNear(glm::dvec3(worldFromEye[2]), {1, 0, 0}, 1e-6);
     expectNear(glm::dvec3(worldFromEye[1]), {0, 1, 0});
     EXPECT_NEAR(glm::determinant(glm::dmat3(worldFromEye)), 1.0, 1e-9);
@@ -102,18 +127,14 @@ TEST(StyledView, withoutViewpointAllIsSeen)
         }
     // A ball round the box of all fits into the angle, and no more.
     const double radius = std::hypot(101.0, 8.0, 51.0) / 2.0;
-    expectNear(glm::dvec3(glm::inverse(s.drawn.eyeFromWorld)[3]),
-               {50.0, 3.5, -25.0 + radius / std::sin(0.785398 / 2.0)}, 1e-4);
+    expectNear(eyeOf(s.drawn), {50.0, 3.5, -25.0 + radius / std::sin(0.785398 / 2.0)}, 1e-4);
 }
 
 TEST(StyledView, orthoViewpointShowsItsRectangleWhole)
 {
     for (const char* const version : {"3.3", "4.0"}) {
         ViewedScene s("<OrthoViewpoint fieldOfView='-1 -2 3 2'/>" + kVolume, version);
-        ViewRequest request;
-        request.width = 200;
-        request.height = 100;
-        s.draw(request);
+        drawnAt(s, 200, 100);
         expectNear({inPicture(s.drawn, {1, 0, 0}).x, inPicture(s.drawn, {0, 2, 0}).y,
                     inPicture(s.drawn, {5, 0, -3}).x},
                    {0, 1, 1});
@@ -123,10 +144,7 @@ TEST(StyledView, orthoViewpointShowsItsRectangleWhole)
 TEST(StyledView, orthoRectangleIsMadeHigherInHighWindows)
 {
     ViewedScene s("<OrthoViewpoint fieldOfView='-1 -2 3 2'/>" + kVolume);
-    ViewRequest request;
-    request.width = 100;
-    request.height = 200;
-    s.draw(request);
+    drawnAt(s, 100, 200);
     expectNear(inPicture(s.drawn, {3, 4, 0}) * glm::dvec3(1, 1, 0), {1, 1, 0});
     expectNear(inPicture(s.drawn, {-1, -4, 0}) * glm::dvec3(1, 1, 0), {-1, -1, 0});
 }
@@ -136,15 +154,13 @@ TEST(StyledView, viewpointAndCameraOfTheRequestComeFirst)
     ViewedScene s("<Viewpoint DEF='A' position='1 0 5'/><Viewpoint DEF='B' position='2 0 5'/>"
                   "<Switch><OrthoViewpoint DEF='C'/></Switch>" +
                   kVolume);
-    const auto eyeX = [](const StyledScene& scene) { return glm::inverse(scene.eyeFromWorld)[3].x; };
-    EXPECT_NEAR(eyeX(s.drawn), 1.0, 1e-9);
+    EXPECT_NEAR(eyeOf(s.drawn).x, 1.0, 1e-9);
     ViewRequest request;
     request.viewpoint = s.scene.names.at("B");
-    EXPECT_NEAR(eyeX(s.draw(request)), 2.0, 1e-9);
+    EXPECT_NEAR(eyeOf(s.draw(request)).x, 2.0, 1e-9);
     request.camera = ViewCamera{};
     request.camera->eyeFromWorld[3] = glm::dvec4(-3, 0, 0, 1);
-    s.draw(request);
-    EXPECT_NEAR(eyeX(s.drawn), 3.0, 1e-9);
+    EXPECT_NEAR(eyeOf(s.draw(request)).x, 3.0, 1e-9);
     EXPECT_EQ(s.drawn.clipFromEye, glm::dmat4(1.0));
     const auto viewpoints = s.view->viewpoints();
     ASSERT_EQ(viewpoints.size(), 3u);
@@ -157,24 +173,18 @@ TEST(StyledView, viewAllMovesTheEyeAndKeepsItsDirection)
     const ViewedScene s(
         "<Viewpoint viewAll='true' orientation='0 1 0 1.5707963'/><Transform translation='0 9 0'>" + kVolume +
         "</Transform>");
-    const glm::dmat4 worldFromEye = glm::inverse(s.drawn.eyeFromWorld);
-    expectNear(glm::dvec3(worldFromEye[2]), {1, 0, 0});
-    EXPECT_NEAR(worldFromEye[3].y, 9.0, 1e-6);
-    EXPECT_NEAR(worldFromEye[3].x, std::sqrt(0.75) / std::sin(0.785398 / 2.0), 1e-5);
+    expectNear(glm::dvec3(glm::inverse(s.drawn.eyeFromWorld)[2]), {1, 0, 0});
+    EXPECT_NEAR(eyeOf(s.drawn).y, 9.0, 1e-6);
+    EXPECT_NEAR(eyeOf(s.drawn).x, std::sqrt(0.75) / std::sin(0.785398 / 2.0), 1e-5);
     EXPECT_LE(std::abs(inPicture(s.drawn, {0.5, 9.5, 0.5}).y), 1.0);
 }
 
 TEST(StyledView, viewAllGoesByTheNarrowerSide)
 {
     ViewedScene s("<Viewpoint viewAll='true' fieldOfView='0.6'/>" + kVolume);
-    for (const auto& [width, height] : {std::pair(200, 100), std::pair(100, 200), std::pair(100, 100)}) {
-        ViewRequest request;
-        request.width = width;
-        request.height = height;
-        s.draw(request);
-        EXPECT_NEAR(glm::inverse(s.drawn.eyeFromWorld)[3].z, std::sqrt(0.75) / std::sin(0.3), 1e-5)
+    for (const auto& [width, height] : {std::pair(200, 100), std::pair(100, 200), std::pair(100, 100)})
+        EXPECT_NEAR(eyeOf(drawnAt(s, width, height)).z, std::sqrt(0.75) / std::sin(0.3), 1e-5)
             << width << " x " << height;
-    }
 }
 
 TEST(StyledView, nearAndFarPlanesHoldAllThatIsBeforeTheEye)
@@ -244,42 +254,41 @@ TEST(StyledView, headlightShinesFromTheEye)
     const std::string viewpoint = "<Viewpoint position='5 0 0' orientation='0 1 0 1.5707963'/>";
     ViewedScene s(viewpoint + "<Transform rotation='0 0 1 1.5707963' scale='3 3 3'>" + kVolume +
                   "</Transform>");
-    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
-    ASSERT_EQ(lights.size(), 1u);
-    EXPECT_EQ(lights[0].kind, StyleLight::Kind::directional);
-    expectNear(glm::dvec3(lights[0].direction), {0, 1, 0});
+    ASSERT_EQ(lightsOf(s).size(), 1u);
+    EXPECT_EQ(lightsOf(s)[0].kind, StyleLight::Kind::directional);
+    expectNear(glm::dvec3(lightsOf(s)[0].direction), {0, 1, 0});
     ViewRequest request;
     request.headlight = false;
-    EXPECT_TRUE(s.draw(request).volumes.at(0).surroundings.lights.empty());
-    const ViewedScene none("<NavigationInfo headlight='false'/>" + viewpoint + kVolume);
-    EXPECT_TRUE(none.drawn.volumes.at(0).surroundings.lights.empty());
+    s.draw(request);
+    EXPECT_TRUE(lightsOf(s).empty());
+    EXPECT_TRUE(lightsOf(ViewedScene(kDark + viewpoint + kVolume)).empty());
 }
 
 TEST(StyledView, directionalLightsShineOnTheirGroupAlone)
 {
-    const ViewedScene s("<NavigationInfo headlight='false'/><Group>" + kVolume +
-                        "<Transform rotation='0 1 0 1.5707963'><Group>" + kVolume +
+    const ViewedScene s(kDark + "<Group>" + kVolume + "<Transform rotation='0 1 0 1.5707963'><Group>" +
+                        kVolume +
                         "</Group></Transform><DirectionalLight direction='1 0 0' intensity='0.5'/></Group>" +
                         kVolume + "<Group>" + kVolume + "<DirectionalLight on='false'/></Group>");
     ASSERT_EQ(s.drawn.volumes.size(), 4u);
-    const auto lightsOf = [&](std::size_t i) { return s.drawn.volumes[i].surroundings.lights; };
-    ASSERT_EQ(lightsOf(0).size(), 1u);
-    ASSERT_EQ(lightsOf(1).size(), 1u);
-    EXPECT_EQ(lightsOf(0)[0].intensity, 0.5f);
-    expectNear(glm::dvec3(lightsOf(0)[0].direction), {1, 0, 0});
-    expectNear(glm::dvec3(lightsOf(1)[0].direction), {0, 0, 1});
-    EXPECT_TRUE(lightsOf(2).empty());
-    EXPECT_TRUE(lightsOf(3).empty());
+    ASSERT_EQ(lightsOf(s, 0).size(), 1u);
+    ASSERT_EQ(lightsOf(s, 1).size(), 1u);
+    EXPECT_EQ(lightsOf(s, 0)[0].intensity, 0.5f);
+    expectNear(glm::dvec3(lightsOf(s, 0)[0].direction), {1, 0, 0});
+    expectNear(glm::dvec3(lightsOf(s, 1)[0].direction), {0, 0, 1});
+    EXPECT_TRUE(lightsOf(s, 2).empty());
+    EXPECT_TRUE(lightsOf(s, 3).empty());
 }
 
 TEST(StyledView, pointAndSpotLightsShineEverywhereInLocalSpace)
 {
-    const ViewedScene s("<NavigationInfo headlight='false'/><Transform translation='0 0 8'>"
+    const ViewedScene s(kDark +
+                        "<Transform translation='0 0 8'>"
                         "<PointLight location='1 0 0' radius='12' attenuation='1 2 3'/>"
                         "<SpotLight direction='0 0 -2' beamWidth='0.25' cutOffAngle='0.5'/></Transform>"
                         "<Transform translation='1 0 0' scale='4 4 4'>" +
                         kVolume + "</Transform>");
-    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    const auto& lights = lightsOf(s);
     ASSERT_EQ(lights.size(), 2u);
     EXPECT_EQ(lights[0].kind, StyleLight::Kind::point);
     expectNear(glm::dvec3(lights[0].position), {0, 0, 2});
@@ -294,12 +303,13 @@ TEST(StyledView, pointAndSpotLightsShineEverywhereInLocalSpace)
 
 TEST(StyledView, lightsWithoutDirectionShineAlongTheirOwnAxis)
 {
-    const ViewedScene s("<NavigationInfo headlight='false'/><Transform rotation='0 1 0 1.5707963'>"
+    const ViewedScene s(kDark +
+                        "<Transform rotation='0 1 0 1.5707963'>"
                         "<DirectionalLight direction='0 0 0' global='true'/></Transform>"
                         "<Transform scale='1 0 1'><DirectionalLight direction='0 -1 0' global='true'/>"
                         "</Transform><Transform rotation='1 0 0 1.5707963' scale='2 2 2'>" +
                         kVolume + "</Transform>");
-    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
+    const auto& lights = lightsOf(s);
     ASSERT_EQ(lights.size(), 2u);
     expectNear(glm::dvec3(lights[0].direction), {-1, 0, 0});
     EXPECT_NEAR(glm::length(lights[1].direction), 1.0f, 1e-6f) << "of a Transform without extent";
@@ -307,12 +317,10 @@ TEST(StyledView, lightsWithoutDirectionShineAlongTheirOwnAxis)
 
 TEST(StyledView, globalDecidesAboutTheScopeOfLights)
 {
-    const ViewedScene s("<NavigationInfo headlight='false'/><Group><PointLight global='false'/>"
-                        "<DirectionalLight global='true'/></Group>" +
-                        kVolume);
-    const auto& lights = s.drawn.volumes.at(0).surroundings.lights;
-    ASSERT_EQ(lights.size(), 1u);
-    EXPECT_EQ(lights[0].kind, StyleLight::Kind::directional);
+    const ViewedScene s(
+        kDark + "<Group><PointLight global='false'/><DirectionalLight global='true'/></Group>" + kVolume);
+    ASSERT_EQ(lightsOf(s).size(), 1u);
+    EXPECT_EQ(lightsOf(s)[0].kind, StyleLight::Kind::directional);
 }
 
 TEST(StyledView, lightsBeyondEightAreToldOf)
@@ -321,10 +329,10 @@ TEST(StyledView, lightsBeyondEightAreToldOf)
     for (int i = 0; i < 9; ++i)
         lights += "<PointLight/>";
     const ViewedScene s(lights + "\n" + kVolume + "<Shape><Box/></Shape>");
-    EXPECT_EQ(s.drawn.volumes.at(0).surroundings.lights.size(), 8u);
-    EXPECT_EQ(s.drawn.volumes[0].surroundings.lights[0].kind, StyleLight::Kind::directional);
-    EXPECT_EQ(s.messages(), "s.x3d:3: warning: expected at most 8 lights, found 10: the first shine on it\n"
-                            "s.x3d:3: warning: expected at most 8 lights, found 10: the first shine on it\n");
+    ASSERT_EQ(lightsOf(s).size(), 8u);
+    EXPECT_EQ(lightsOf(s)[0].kind, StyleLight::Kind::directional);
+    const std::string told = "s.x3d:3: warning: expected at most 8 lights, found 10: the first shine on it\n";
+    EXPECT_EQ(s.messages(), told + told) << "of the volume and of the shape";
 }
 
 TEST(StyledView, clipPlanesCutTheirGroupAlone)
@@ -361,10 +369,7 @@ TEST(StyledView, levelOfDetailGoesByTheEyesDistanceInLocalSpace)
     ViewedScene s("<Viewpoint DEF='V'/><Transform scale='2 2 2'><LOD DEF='L' center='0 0 1' range='1 3'>" +
                   kVolume + "<Shape><Box/></Shape><Group/></LOD></Transform>");
     const auto levelAt = [&](double z) {
-        ViewRequest request;
-        request.camera = ViewCamera{};
-        request.camera->eyeFromWorld[3] = glm::dvec4(0, 0, -z, 1);
-        s.draw(request);
+        drawnFrom(s, {0, 0, z});
         return s.view->shownLevels().at(0).level;
     };
     EXPECT_EQ(levelAt(3.9), 0);
@@ -400,10 +405,7 @@ TEST(StyledView, octTreeShowsHighResWithinItsRange)
     EXPECT_EQ(s.messages(),
               "s.x3d:2: warning: expected at most 8 nodes in OctTree.highRes, found 9: the first are "
               "drawn\n");
-    ViewRequest request;
-    request.camera = ViewCamera{};
-    request.camera->eyeFromWorld[3] = glm::dvec4(0, 0, -11, 1);
-    EXPECT_EQ(s.draw(request).volumes.size(), 1u);
+    EXPECT_EQ(drawnFrom(s, {0, 0, 11}).volumes.size(), 1u);
     EXPECT_EQ(s.view->shownLevels().at(0).level, 1);
 }
 
@@ -413,6 +415,22 @@ TEST(StyledView, whatIsNotVisibleIsNotDrawn)
                         kVoxels + "</VolumeData><Shape visible='false'><Box/></Shape>" + kVolume);
     EXPECT_EQ(s.drawn.volumes.size(), 1u);
     EXPECT_TRUE(s.drawn.surfaces.empty());
+}
+
+TEST(StyledView, allKindsOfGroupsShowTheirChildren)
+{
+    for (const std::string group : {"Group", "StaticGroup", "Anchor", "Collision"}) {
+        const ViewedScene s("<" + group + "><ClipPlane/>" + kVolume + "</" + group + "><" + group +
+                            " visible='false'>" + kVolume + "</" + group + ">");
+        EXPECT_EQ(s.drawn.volumes.size(), 1u) << group;
+        EXPECT_EQ(s.drawn.volumes.at(0).clipPlanes.size(), 1u) << group;
+        EXPECT_EQ(s.messages(), "") << group;
+    }
+    // What stands for the children in collisions is not seen.
+    const ViewedScene s("<Collision enabled='false'><VolumeData containerField='proxy'>" + kVoxels +
+                        "</VolumeData></Collision>");
+    EXPECT_TRUE(s.drawn.volumes.empty());
+    EXPECT_EQ(s.messages(), "");
 }
 
 TEST(StyledView, idsLeadToNodesAndTheirPaths)
@@ -456,7 +474,7 @@ TEST(StyledView, inlinesAreDrawnAndTheirBindablesAreNotBound)
                         "4.0", folder / "");
     ASSERT_EQ(s.drawn.volumes.size(), 1u);
     EXPECT_EQ(s.drawn.volumes[0].worldFromLocal[3].x, 5.0);
-    EXPECT_NEAR(glm::inverse(s.drawn.eyeFromWorld)[3].z, 3.0, 1e-9);
+    EXPECT_NEAR(eyeOf(s.drawn).z, 3.0, 1e-9);
     EXPECT_EQ(s.view->viewpoints().size(), 2u);
     EXPECT_EQ(s.view->pathOf(1).size(), 3u);
 }
