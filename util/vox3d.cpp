@@ -47,11 +47,9 @@ struct OpenedScene
 void printMessages(const OpenedScene& opened, FILE* stream)
 {
     for (int i = 0; i < opened.scene.getMessageCount(); ++i) {
-        const std::string_view line = opened.scene.getMessage(i);
-        const bool isOfEmptiness = line.find("surfaceValues") != line.npos || line.ends_with("is seen");
-        if (opened.isToldEmpty && isOfEmptiness) continue;
-        const bool hasPlace = !line.starts_with("warning: ") && !line.starts_with("error: ");
-        const std::string whole = (hasPlace ? "" : opened.input + ": ") + std::string(line);
+        if (opened.isToldEmpty && opened.scene.getMessageTopic(i) == voX3DScope::NOTHING_SEEN) continue;
+        const bool hasPlace = *opened.scene.getMessageFile(i) != '\0';
+        const std::string whole = (hasPlace ? "" : opened.input + ": ") + opened.scene.getMessage(i);
         std::fprintf(stream, "%s\n", vo::withoutControls(whole).c_str());
     }
 }

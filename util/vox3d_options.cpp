@@ -179,8 +179,8 @@ Result<void> checkTogether(const Vox3dOptions& options)
         return Failure{"expected a scene or a volume, found none; vox3d -help shows examples"};
     if (options.frames > 0 && options.output.empty())
         return Failure{"option -frames: expected -output FILE.png beside it, found none"};
-    if (options.frames > 0) return checkFrameName("-output", options.output);
-    return {};
+    if (options.frames > 1) return checkNumbered("-output", options.output);
+    return options.frames > 0 ? checkFrameName("-output", options.output) : Result<void>();
 }
 
 } // namespace

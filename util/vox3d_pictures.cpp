@@ -97,8 +97,7 @@ Result<void> write(const std::string& name, const Vox3dOptions& options, std::sp
 Result<void> checkPictureNames(const Vox3dOptions& options)
 {
     NamedPictures pictures{"-output", {}};
-    const int count = isNumbered(options.output) ? options.frames : 1;
-    for (int frame = 0; frame < std::max(count, 1); ++frame)
+    for (int frame = 0; frame < std::max(options.frames, 1); ++frame)
         pictures.names.push_back(frameName(options.output, options.frames, frame));
     if (auto differ = checkNamesDiffer({pictures}); !differ) return differ;
     std::error_code none;
@@ -117,10 +116,7 @@ Result<void> writePictures(voX3DView& view, const Vox3dOptions& options)
         if (auto opened = painter.openGl(); !opened) return opened;
     const double cycle = options.frames > 0 ? view.getCycle() : 0;
     const MovedEye begin = MovedEye::of(view);
-    if (options.frames > 0 && !isNumbered(options.output))
-        warn(kProgram,
-             options.output + ": has no %d for the number of each of the -frames; it shows the first");
-    const int count = isNumbered(options.output) ? std::max(options.frames, 1) : 1;
+    const int count = std::max(options.frames, 1);
     for (int frame = 0; frame < count; ++frame) {
         const double part = double(frame) / count;
         view.setTime(options.time + cycle * part);

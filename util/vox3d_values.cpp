@@ -50,6 +50,9 @@ public:
         return {};
     }
 
+    /// What it holds, if that is the whole volume.
+    MemoryBlock takeWhole() { return isRead_ ? std::move(block_) : MemoryBlock(); }
+
 private:
     Slices(VolumeFile& file, std::int64_t sliceBytes, std::int64_t atOnce, MemoryBlock block)
         : file_(&file), sliceBytes_(sliceBytes), atOnce_(atOnce), block_(std::move(block))
@@ -140,14 +143,25 @@ std::size_t binBelow(const Histogram& counts, double part)
     return counts.size() - 1;
 }
 
-void divide(VolumeValues& values, const Histogram& counts)
+/// Into what is around and what is of interest.
+Result<void> divide(const VolumeInfo& info, Slices& slices, VolumeValues& values)
 {
+    Histogram counts(kBins, 0.0);
+    const double scale = static_cast<double>(kBins) / (values.seen.high - values.seen.low);
+    const auto read = slices.each([&](std::span<const std::byte> voxels) {
+        eachValue(info, voxels, [&](double value) {
+            const double bin = (value - values.seen.low) * scale;
+            if (bin >= 0) counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))] += 1;
+        });
+    });
+    if (!read) return read;
     const double width = (values.seen.high - values.seen.low) / static_cast<double>(kBins);
     const auto valueOf = [&](std::size_t bin) {
         return values.seen.low + (static_cast<double>(bin) + 1) * width;
     };
     values.threshold = valueOf(bestDivision(counts));
     values.high = std::max(valueOf(binBelow(counts, 0.998)), values.threshold + width);
+    return {};
 }
 
 /// All but the threshold, and what lies above it.
@@ -158,6 +172,7 @@ Result<void> lookAtRange(const char* program, const std::string& path, VolumeFil
         warn(program, path + ": " + note);
     const VolumeInfo& info = file.info();
     values.size = info.size;
+    values.type = info.type;
     values.spacing = file.description().spacing;
     values.channels = info.channels;
     values.alphaAdded = file.description().alphaAdded;
@@ -189,23 +204,15 @@ Result<VolumeValues> lookAtVolume(const char* program, const std::string& path)
     if (!slices) return slices.failure();
     VolumeValues values;
     if (auto looked = lookAtRange(program, path, *file, *slices, values); !looked) return looked.failure();
-    if (!(values.seen.low < values.seen.high)) {
+    if (values.seen.low < values.seen.high) {
+        if (auto divided = divide(file->info(), *slices, values); !divided) return divided.failure();
+    } else {
         // A body in what is 0 around it.
         const bool isNothing = values.seen.low == 0;
         values.threshold = values.seen.low - (isNothing ? 0 : 1);
         values.high = values.threshold + 1;
-        return values;
     }
-    Histogram counts(kBins, 0.0);
-    const double scale = static_cast<double>(kBins) / (values.seen.high - values.seen.low);
-    const auto read = slices->each([&](std::span<const std::byte> voxels) {
-        eachValue(file->info(), voxels, [&](double value) {
-            const double bin = (value - values.seen.low) * scale;
-            if (bin >= 0) counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))] += 1;
-        });
-    });
-    if (!read) return read.failure();
-    divide(values, counts);
+    values.voxels = slices->takeWhole();
     return values;
 }
 
@@ -227,6 +234,7 @@ Result<LabelValues> lookAtLabels(const char* program, const std::string& path, i
         });
     });
     if (!read) return read.failure();
+    labels.values.voxels = slices->takeWhole();
     return labels;
 }
 

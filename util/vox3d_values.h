@@ -1,5 +1,6 @@
 #pragma once
 
+#include "volume_io/memory_block.h"
 #include "volume_io/volume_io.h"
 #include "volume_view/value_range.h"
 
@@ -11,6 +12,7 @@ namespace vo {
 struct VolumeValues
 {
     std::array<std::int64_t, 3> size{};
+    ChannelType type = ChannelType::uint8;
     std::array<double, 3> spacing{1, 1, 1};
     int channels = 1;
     bool alphaAdded = false;
@@ -25,6 +27,8 @@ struct VolumeValues
     /// How many numbers are no whole ones, and the first of them.
     std::int64_t fractions = 0;
     double firstFraction = 0;
+    /// All voxels, where there was memory to hold them at once; else empty.
+    MemoryBlock voxels;
 };
 
 /// Opens a volume and looks at all of its voxels. `program` begins notes that are printed.

@@ -46,6 +46,18 @@ std::string urlOf(const fs::path& path)
     return url;
 }
 
+voDataType dataTypeOf(ChannelType type)
+{
+    switch (type) {
+    case ChannelType::uint8: break;
+    case ChannelType::int8: return voDataTypeScope::BYTE;
+    case ChannelType::uint16: return voDataTypeScope::UNSIGNED_SHORT;
+    case ChannelType::int16: return voDataTypeScope::SHORT;
+    case ChannelType::float32: return voDataTypeScope::FLOAT;
+    }
+    return voDataTypeScope::UNSIGNED_BYTE;
+}
+
 /// A transfer function: red, green, blue and alpha, from the value 0 of the scene to 1.
 using Table = std::vector<float>;
 
@@ -128,7 +140,7 @@ public:
             if (!read) return read.failure();
             file_ = *read;
         }
-        voxels_ = imageTexture(options_.input);
+        voxels_ = imageTexture(options_.input, values_);
         std::vector<voX3DNode> roots{navigation(), viewpoint()};
         if (hasLight()) roots.push_back(light());
         if (auto volume = makeVolume()) {
@@ -164,6 +176,9 @@ private:
         if (options_.lut && !is("iso") && !reason.empty())
             warn(kProgram, "option -lut: changes nothing " + reason);
         if (file_ && !hasTable()) warn(kProgram, "option -lutFile: changes nothing " + reason);
+        if (hasLabels() && hasColors() && !is("cartoon") && !is("tone"))
+            warn(kProgram, "option -labels: gives no colours to voxels that have colours, and hides those of "
+                           "the number 0");
     }
 
     /// In the file's own values, which the scene's messages do not know.
@@ -217,12 +232,18 @@ private:
         node.setFloats(field, numbers, 3);
     }
 
-    voX3DNode imageTexture(const std::string& path)
+    /// Of a file whose voxels the scene need not read again where they are at hand.
+    voX3DNode imageTexture(const std::string& path, const VolumeValues& values)
     {
         voX3DNode texture = node("ImageTexture3D");
         const std::string url = urlOf(fs::absolute(path));
         const char* const text = url.c_str();
         texture.setStrings("url", &text, 1);
+        if (values.voxels.bytes().empty()) return texture;
+        int size[3];
+        std::ranges::transform(values.size, size, [](std::int64_t each) { return static_cast<int>(each); });
+        scene_.setReadVoxels(texture, values.voxels.bytes().data(), size, values.channels,
+                             values.alphaAdded ? 3 : values.channels, dataTypeOf(values.type));
         return texture;
     }
 
@@ -434,12 +455,13 @@ private:
                            std::to_string(kMostSegments) + ", found " +
                            std::to_string(int(numbers->seen.low)) + " to " +
                            std::to_string(int(numbers->seen.high))};
-        return segmentedBy(labels->isThere);
+        return segmentedBy(*labels);
     }
 
     /// Segments of the numbers that are there; the others, and 0, are not drawn.
-    voX3DNode segmentedBy(std::vector<int> isThere)
+    voX3DNode segmentedBy(const LabelValues& labels)
     {
+        std::vector<int> isThere = labels.isThere;
         isThere[0] = 0;
         tables_ = std::max(1, static_cast<int>(std::ranges::count(isThere, 1)));
         const auto count = static_cast<int>(isThere.size());
@@ -450,7 +472,7 @@ private:
         voX3DNode volume = node("SegmentedVolumeData");
         setDimensions(volume);
         volume.setNode("voxels", voxels_);
-        volume.setNode("segmentIdentifiers", imageTexture(options_.labels));
+        volume.setNode("segmentIdentifiers", imageTexture(options_.labels, labels.values));
         volume.setInts("segmentEnabled", isThere.data(), count);
         volume.setNodes("renderStyle", styles.data(), count);
         return volume;

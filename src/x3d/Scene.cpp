@@ -5,8 +5,10 @@
 #include <cstring>
 #include <fstream>
 
+#include "volume_io/volume_io.h"
 #include "x3d/check_scene.h"
 #include "x3d/check_textures.h"
+#include "x3d/node_values.h"
 #include "x3d/printable_word.h"
 #include "x3d/styled_view.h"
 #include "x3d/write_scene.h"
@@ -20,6 +22,18 @@ std::unique_ptr<Scene> emptyScene(const SceneFolders& folders)
     auto scene = std::make_unique<Scene>();
     scene->folders = folders;
     return scene;
+}
+
+ChannelType channelTypeOf(voDataType type)
+{
+    switch (type) {
+    case voDataTypeScope::UNSIGNED_BYTE: return ChannelType::uint8;
+    case voDataTypeScope::BYTE: return ChannelType::int8;
+    case voDataTypeScope::UNSIGNED_SHORT: return ChannelType::uint16;
+    case voDataTypeScope::SHORT: return ChannelType::int16;
+    case voDataTypeScope::FLOAT: return ChannelType::float32;
+    default: badValue("expected bytes, shorts or floats");
+    }
 }
 
 const FieldRow& eventOf(const Node& node, const char* field, bool isOut)
@@ -99,6 +113,22 @@ voBool voX3DScene::isError(int index) const
 {
     return guardedAnswer<voBool>("isError", VO_FALSE, [&] {
         return elementOf(d->scene->messages, index).severity == Severity::error;
+    });
+}
+
+voX3DScope::voX3DMessageTopic voX3DScene::getMessageTopic(int index) const
+{
+    return guardedAnswer("getMessageTopic", ANYTHING_ELSE, [&] {
+        const bool isEmpty = elementOf(d->scene->messages, index).topic == MessageTopic::nothingSeen;
+        return isEmpty ? NOTHING_SEEN : ANYTHING_ELSE;
+    });
+}
+
+const char* voX3DScene::getMessageFile(int index) const
+{
+    return guardedAnswer<const char*>("getMessageFile", NULL, [&] {
+        const auto& file = elementOf(d->scene->messages, index).place.file;
+        return file ? file->c_str() : "";
     });
 }
 
@@ -192,6 +222,30 @@ void voX3DScene::setName(const voX3DNode& node, const char* name)
         if (before != names.end() && before->second == &named) names.erase(before);
         named.name = text;
         if (!text.empty()) names[text] = &named;
+    });
+}
+
+void voX3DScene::setReadVoxels(const voX3DNode& texture, const void* voxels, const int size[3], int channels,
+                               int components, voDataType type)
+{
+    guarded("setReadVoxels", [&] {
+        const Node& node = *static_cast<const Node*>(own(texture));
+        if (!isOf(&node, "ImageTexture3D")) badValue(node.typeName() + " has no file of voxels");
+        if (components < 1 || components > channels || channels > 4)
+            badValue("expected 1 to 4 components, no more than channels");
+        auto read = std::make_shared<ReadVoxels>();
+        read->type = channelTypeOf(type);
+        for (std::size_t i = 0; i < 3; ++i)
+            read->size[i] = (&required(size, "size"))[i];
+        read->channels = channels;
+        read->components = components;
+        read->revision = node.revision();
+        const auto bytes = volumeBytes(read->size, channels * bytesPerChannel(read->type));
+        if (!bytes) badValue(bytes.failure().text);
+        const auto* const first = static_cast<const std::byte*>(voxels);
+        if (!first) badValue("there are no voxels");
+        read->bytes.assign(first, first + *bytes);
+        d->scene->readVoxels[&node] = std::move(read);
     });
 }
 

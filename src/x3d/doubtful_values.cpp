@@ -24,11 +24,6 @@ std::string listed(std::span<const float> numbers)
     return text;
 }
 
-std::string fieldName(const Node& node, std::string_view field)
-{
-    return node.typeName() + "." + std::string(field);
-}
-
 bool isZero(std::span<const float> numbers)
 {
     return std::ranges::all_of(numbers, [](float number) { return number == 0.0f; });
@@ -41,8 +36,8 @@ void lookAtRotations(const Node& node, const FieldRow& row, Doubts& doubts)
     for (std::size_t i = 0; i + 4 <= numbers.size(); i += 4) {
         const auto rotation = std::span(numbers).subspan(i, 4);
         if (!isZero(rotation.first(3)) || rotation[3] == 0.0f) continue;
-        doubts.push_back({fieldName(node, row.name) + ": expected an axis other than 0 0 0",
-                          listed(rotation) + ": turns nothing"});
+        doubts.push_back(
+            {row.name, "expected an axis other than 0 0 0", listed(rotation) + ": turns nothing"});
         return;
     }
 }
@@ -59,9 +54,10 @@ void lookAtVoxelRange(const Node& node, const FieldRow& row, Doubts& doubts)
 {
     for (const float number : floatsOf(node, row.name)) {
         if (row.voxelRange->contains(static_cast<double>(number))) continue;
-        doubts.push_back({fieldName(node, row.name) + ": expected numbers in " + row.voxelRange->text +
-                              ", the range of voxels",
-                          numberText(number) + ": " + withoutVoxels(node)});
+        const bool isSurface = isOf(&node, "IsoSurfaceVolumeData");
+        doubts.push_back({row.name, "expected numbers in " + row.voxelRange->text + ", the range of voxels",
+                          numberText(number) + ": " + withoutVoxels(node),
+                          isSurface ? MessageTopic::nothingSeen : MessageTopic::other});
         return;
     }
 }
@@ -78,8 +74,8 @@ void lookAtPixels(const Node& node, const FieldRow& row, Doubts& doubts)
     const auto isOver = [&](std::int32_t pixel) { return static_cast<std::uint32_t>(pixel) > most; };
     const auto over = std::find_if(image.begin() + static_cast<std::ptrdiff_t>(sizes), image.end(), isOver);
     if (over == image.end()) return;
-    doubts.push_back({fieldName(node, row.name) + ": expected pixels from 0 to " + numberText(most) +
-                          " for " + std::to_string(components) +
+    doubts.push_back({row.name,
+                      "expected pixels from 0 to " + numberText(most) + " for " + std::to_string(components) +
                           (components == 1 ? " component" : " components"),
                       numberText(*over) + ": higher bits are left out"});
 }
@@ -88,23 +84,22 @@ void lookAtDirection(const Node& node, Doubts& doubts)
 {
     const auto& direction = floatsOf(node, "direction");
     if (!direction.empty() && isZero(direction))
-        doubts.push_back({fieldName(node, "direction") + ": expected a direction other than 0 0 0",
-                          "0 0 0: taken as 0 0 -1"});
+        doubts.push_back({"direction", "expected a direction other than 0 0 0", "0 0 0: taken as 0 0 -1"});
 }
 
 void lookAtScale(const Node& node, Doubts& doubts)
 {
     const auto& scale = floatsOf(node, "scale");
     if (std::ranges::find(scale, 0.0f) != scale.end())
-        doubts.push_back({fieldName(node, "scale") + ": expected numbers other than 0",
-                          listed(scale) + ": nothing in it is drawn"});
+        doubts.push_back(
+            {"scale", "expected numbers other than 0", listed(scale) + ": nothing in it is drawn"});
 }
 
 void lookAtPlane(const Node& node, Doubts& doubts)
 {
     const auto& plane = floatsOf(node, "plane");
     if (plane.size() == 4 && isZero(std::span(plane).first(3)))
-        doubts.push_back({fieldName(node, "plane") + ": expected a normal other than 0 0 0",
+        doubts.push_back({"plane", "expected a normal other than 0 0 0",
                           listed(plane) + (plane[3] < 0.0f ? ": cuts all away" : ": cuts nothing away")});
 }
 
@@ -112,7 +107,7 @@ void lookAtDepths(const Node& node, Doubts& doubts)
 {
     const float near = floatOf(node, "nearDistance", -1.0f), far = floatOf(node, "farDistance", -1.0f);
     if (near > 0.0f && far > 0.0f && near >= far)
-        doubts.push_back({fieldName(node, "nearDistance") + ": expected less than farDistance",
+        doubts.push_back({"nearDistance", "expected less than farDistance",
                           numberText(near) + " and " + numberText(far) + ": seen from " + numberText(near) +
                               " to " + numberText(2.0f * near)});
 }
@@ -120,13 +115,13 @@ void lookAtDepths(const Node& node, Doubts& doubts)
 void lookAtRectangle(const Node& node, Doubts& doubts)
 {
     const auto& seen = floatsOf(node, "fieldOfView");
-    const std::string name = fieldName(node, "fieldOfView");
+    const std::string name = "fieldOfView";
     if (seen.size() != 4)
-        doubts.push_back({name + ": expected 4 numbers",
+        doubts.push_back({name, "expected 4 numbers",
                           std::to_string(seen.size()) +
                               (seen.size() < 4 ? ": taken as -1 -1 1 1" : ": the first are taken")});
     else if (!(seen[0] < seen[2] && seen[1] < seen[3]))
-        doubts.push_back({name + ": expected minimum x, minimum y, and a maximum x and y above them",
+        doubts.push_back({name, "expected minimum x, minimum y, and a maximum x and y above them",
                           listed(seen) + ": taken as -1 -1 1 1"});
 }
 
@@ -138,13 +133,13 @@ void lookAtKeys(const Node& node, Doubts& doubts)
         floatsOf(node, "keyValue").size() / static_cast<std::size_t>(shapeOf(values.type).components);
     if (keys.size() != valueCount)
         doubts.push_back(
-            {fieldName(node, "keyValue") + ": expected as many values as keys",
+            {"keyValue", "expected as many values as keys",
              std::to_string(valueCount) + " for " + std::to_string(keys.size()) + ": " +
                  (keys.empty() || valueCount == 0 ? "sends nothing" : "what is over is left out")});
     const auto fall = std::ranges::is_sorted_until(keys);
     if (fall != keys.end())
         doubts.push_back(
-            {fieldName(node, "key") + ": expected numbers that do not fall",
+            {"key", "expected numbers that do not fall",
              numberText(*fall) + " behind " + numberText(*(fall - 1)) + ": what follows is left out"});
 }
 
@@ -154,12 +149,12 @@ void lookAtLevels(const Node& node, Doubts& doubts)
     const auto fall = std::ranges::is_sorted_until(range);
     if (fall != range.end())
         doubts.push_back(
-            {fieldName(node, "range") + ": expected distances that do not fall",
+            {"range", "expected distances that do not fall",
              numberText(*fall) + " behind " + numberText(*(fall - 1)) + ": its level is not seen"});
     const std::size_t levels = nodesOf(node, "children").size();
     if (!range.empty() && levels > range.size() + 1)
         doubts.push_back(
-            {fieldName(node, "children") + ": expected at most one more than distances in range",
+            {"children", "expected at most one more than distances in range",
              std::to_string(levels) + " for " + std::to_string(range.size()) + ": the last are not seen"});
 }
 
@@ -168,16 +163,17 @@ void lookAtChoice(const Node& node, Doubts& doubts)
     const std::int32_t choice = integerOf(node, "whichChoice", -1);
     const std::size_t count = nodesOf(node, "children").size();
     if (choice >= 0 && static_cast<std::size_t>(choice) >= count)
-        doubts.push_back({fieldName(node, "whichChoice") + ": expected the number of one of its " +
-                              std::to_string(count) + " children, from 0, or -1",
-                          std::to_string(choice) + ": none is drawn"});
+        doubts.push_back(
+            {"whichChoice",
+             "expected the number of one of its " + std::to_string(count) + " children, from 0, or -1",
+             std::to_string(choice) + ": none is drawn"});
 }
 
 void lookAtSurfaceValues(const Node& node, Doubts& doubts)
 {
     if (floatsOf(node, "surfaceValues").empty())
-        doubts.push_back({fieldName(node, "surfaceValues") + ": expected the value of a surface",
-                          "none: nothing is drawn"});
+        doubts.push_back({"surfaceValues", "expected the value of a surface", "none: nothing is drawn",
+                          MessageTopic::nothingSeen});
 }
 
 struct Look
@@ -240,9 +236,12 @@ void DoubtfulValues::tell()
     for (Watched& watched : watched_) {
         const Node& node = *watched.node;
         if (std::exchange(watched.revision, node.revision()) == node.revision()) continue;
-        for (const Doubt& doubt : doubtsOf(node))
-            if (told_.emplace(&node, doubt.expected).second)
-                messages_.warn(node, doubt.expected + ", found " + doubt.found);
+        for (const Doubt& doubt : doubtsOf(node)) {
+            if (scene_.lacksRefused(node, doubt.field)) continue;
+            const std::string expected = node.typeName() + "." + doubt.field + ": " + doubt.expected;
+            if (told_.emplace(&node, expected).second)
+                messages_.warn(node, expected + ", found " + doubt.found, doubt.topic);
+        }
     }
 }
 

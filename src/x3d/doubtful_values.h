@@ -11,11 +11,12 @@
 
 namespace vo {
 
-/// What is wrong with a value that its field allows: "Transform.scale: expected numbers other than 0",
-/// "0 1 1: nothing in it is drawn".
+/// What is wrong with a value that its field allows: "scale", "expected numbers other than 0", "0 1 1:
+/// nothing in it is drawn".
 struct Doubt
 {
-    std::string expected, found;
+    std::string field, expected, found;
+    MessageTopic topic = MessageTopic::other;
 };
 
 /// Of the values of one node: axes and directions without a length, numbers that voxels do not have, lists

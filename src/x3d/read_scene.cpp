@@ -85,6 +85,8 @@ private:
     void readInline(Node& node)
     {
         const auto& urls = std::get<std::vector<std::string>>(node.value(*node.field("url")));
+        if (urls.empty() && !scene_.lacksRefused(node, "url"))
+            say(node, Severity::warning, "Inline: expected a url, found none: nothing is drawn of it");
         bool isRemote = !urls.empty();
         std::string reasons;
         for (const std::string& url : urls) {

@@ -73,14 +73,14 @@ std::size_t Scene::errorCount() const
     return static_cast<std::size_t>(std::ranges::count(messages, Severity::error, &SceneMessage::severity));
 }
 
-void Scene::tell(Severity severity, const Node& node, const std::string& text)
+void Scene::tell(Severity severity, const Node& node, const std::string& text, MessageTopic topic)
 {
     constexpr std::size_t kMost = 1000;
     if (told_.size() >= kMost) {
         if (!told_.contains({&node, text})) ++messagesLeftOut;
         return;
     }
-    if (told_.emplace(&node, text).second) messages.push_back({severity, node.place, text});
+    if (told_.emplace(&node, text).second) messages.push_back({severity, node.place, text, topic});
 }
 
 namespace {

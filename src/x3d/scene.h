@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -94,15 +96,34 @@ enum class Severity {
     error,
 };
 
+enum class MessageTopic {
+    other,
+    /// No voxel can be seen of a volume or of a surface, whatever the view is.
+    nothingSeen,
+};
+
 struct SceneMessage
 {
     Severity severity = Severity::warning;
     TextPlace place;
     std::string text;
+    MessageTopic topic = MessageTopic::other;
 };
 
 /// "scene.x3d:12: warning: text"; of a node that no file has, without the place.
 std::string messageLine(const SceneMessage& message);
+
+enum class ChannelType;
+
+/// Voxels as a file has them: the first `components` of `channels` numbers each count.
+struct ReadVoxels
+{
+    std::array<std::int64_t, 3> size{};
+    int channels = 1, components = 1;
+    ChannelType type{};
+    std::vector<std::byte> bytes;
+    std::uint64_t revision = 0; ///< of the texture that has the file
+};
 
 /// What a file says of itself before its nodes.
 struct SceneHeader
@@ -147,6 +168,9 @@ public:
     /// The folder of each file, by the scope of its nodes.
     std::vector<std::filesystem::path> folderOfScope;
 
+    /// Of the files of textures, until these are made.
+    std::map<const Node*, std::shared_ptr<ReadVoxels>> readVoxels;
+
     /// Values that a file has for fields and that were left out: what their nodes lack was told.
     std::set<std::pair<const Node*, std::size_t>> refused;
     /// Whether a field has its default since what the file has for it was left out.
@@ -157,7 +181,8 @@ public:
     std::size_t errorCount() const;
 
     /// Adds a message on a node, once. Beyond 1000 of these they are counted alone.
-    void tell(Severity severity, const Node& node, const std::string& text);
+    void tell(Severity severity, const Node& node, const std::string& text,
+              MessageTopic topic = MessageTopic::other);
 
 private:
     std::vector<std::unique_ptr<Node>> nodes_;

@@ -168,8 +168,7 @@ void SceneBuilder::attach(Node& child, std::string_view field, int line)
     if (shapeOf(row->type).storage != Storage::nodes)
         return wrong(line,
                      parent.typeName() + "." + row->name + " takes no nodes, found " + child.typeName());
-    if (const auto against = objection(*row, std::vector<Node*>{&child}))
-        return wrong(line, parent.typeName() + "." + row->name + ": " + *against);
+    if (const auto against = objection(*row, std::vector<Node*>{&child})) return refuse(*row, line, *against);
     auto& written = open_.back().written;
     if (std::ranges::find(written, row->slot, [](const auto& each) { return each.row->slot; }) ==
         written.end())

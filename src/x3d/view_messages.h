@@ -12,7 +12,10 @@ class ViewMessages
 public:
     explicit ViewMessages(Scene& scene) : scene_(scene) {}
 
-    void warn(const Node& node, const std::string& text) { scene_.tell(Severity::warning, node, text); }
+    void warn(const Node& node, const std::string& text, MessageTopic topic = MessageTopic::other)
+    {
+        scene_.tell(Severity::warning, node, text, topic);
+    }
     void error(const Node& node, const std::string& text) { scene_.tell(Severity::error, node, text); }
 
 private:

@@ -69,7 +69,8 @@ void VolumeNodes::tellIfEmpty(const Node& node, const StyledVolume& volume)
     const auto isPossible = [](float value) { return value >= 0.0f && value <= 1.0f; };
     if (volume.surfaces && !std::ranges::all_of(volume.surfaces->values, isPossible)) return;
     if (const std::string why = whyNothingIsSeen(volume, ranges_); !why.empty())
-        messages_.warn(node, node.typeName() + ": " + why + ": nothing of it is seen");
+        messages_.warn(node, node.typeName() + ": " + why + ": nothing of it is seen",
+                       MessageTopic::nothingSeen);
 }
 
 void VolumeNodes::light(const ShownNode& shown, StyledVolume& volume)
@@ -90,7 +91,8 @@ bool VolumeNodes::fill(const Node& node, StyledVolume& volume)
 std::shared_ptr<const VoxelTexture> VolumeNodes::voxelsOf(const Node& node, const char* field)
 {
     const Node* const texture = nodeOf(node, field);
-    if (!texture) messages_.warn(node, node.typeName() + " has no " + field + ": not drawn");
+    if (!texture && !scene_.lacksRefused(node, field))
+        messages_.warn(node, node.typeName() + " has no " + field + ": not drawn");
     return textures_.of(texture);
 }
 

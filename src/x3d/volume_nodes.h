@@ -21,7 +21,7 @@ class VolumeNodes
 public:
     /// Where sizes alone are read, volumes are not for drawing: making them gives the messages.
     VolumeNodes(const Scene& scene, ViewMessages& messages, VoxelReading reading)
-        : messages_(messages), reading_(reading), textures_(scene, messages, reading),
+        : scene_(scene), messages_(messages), reading_(reading), textures_(scene, messages, reading),
           styles_(textures_, messages)
     {
     }
@@ -53,6 +53,7 @@ private:
     void light(const ShownNode& shown, StyledVolume& volume);
     void tellIfEmpty(const Node& node, const StyledVolume& volume);
 
+    const Scene& scene_;
     ViewMessages& messages_;
     VoxelReading reading_;
     VoxelTextures textures_;

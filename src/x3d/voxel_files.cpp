@@ -155,6 +155,16 @@ void convert(TexelUse use, ChannelType type, const std::string& path, TextureRes
                       " others: rounded";
 }
 
+std::shared_ptr<VoxelTexture> textureWithoutTexels(const ReadVoxels& voxels, TexelUse use)
+{
+    auto texture = std::make_shared<VoxelTexture>();
+    texture->size = {static_cast<int>(voxels.size[0]), static_cast<int>(voxels.size[1]),
+                     static_cast<int>(voxels.size[2])};
+    texture->components = voxels.components;
+    texture->kind = kindOf(voxels.type, use);
+    return texture;
+}
+
 TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use, VoxelReading reading)
 {
     const VolumeInfo& info = file.info();
@@ -165,24 +175,28 @@ TextureResult readOpened(VolumeFile& file, const std::string& path, TexelUse use
         return {nullptr, path + ": expected a volume of at most " + std::to_string(most) +
                              " bytes, half of the memory, found " + sizeText(info.size) + " voxels, " +
                              std::to_string(*bytes) + " bytes"};
-    auto texture = std::make_shared<VoxelTexture>();
-    texture->size = {static_cast<int>(info.size[0]), static_cast<int>(info.size[1]),
-                     static_cast<int>(info.size[2])};
-    texture->components = file.description().alphaAdded ? 3 : info.channels;
-    texture->kind = kindOf(info.type, use);
-    TextureResult result{texture, ""};
-    if (reading == VoxelReading::sizesAlone) return result;
-    texture->texels.resize(static_cast<std::size_t>(*bytes));
-    if (const auto read = file.readBrick({{0, 0, 0}, info.size}, texture->texels); !read)
+    ReadVoxels voxels{
+        info.size, info.channels, file.description().alphaAdded ? 3 : info.channels, info.type, {}, 0};
+    if (reading == VoxelReading::sizesAlone) return {textureWithoutTexels(voxels, use), ""};
+    voxels.bytes.resize(static_cast<std::size_t>(*bytes));
+    if (const auto read = file.readBrick({{0, 0, 0}, info.size}, voxels.bytes); !read)
         return {nullptr, read.failure().text};
-    if (texture->components != info.channels)
-        dropChannels(texture->texels, static_cast<std::size_t>(info.channels), 3,
-                     static_cast<std::size_t>(bytesPerChannel(info.type)));
-    convert(use, info.type, path, result);
-    return result;
+    return textureOf(std::move(voxels), path, use);
 }
 
 } // namespace
+
+TextureResult textureOf(ReadVoxels voxels, const std::string& path, TexelUse use)
+{
+    TextureResult result{textureWithoutTexels(voxels, use), ""};
+    result.texture->texels = std::move(voxels.bytes);
+    if (voxels.components != voxels.channels)
+        dropChannels(result.texture->texels, static_cast<std::size_t>(voxels.channels),
+                     static_cast<std::size_t>(voxels.components),
+                     static_cast<std::size_t>(bytesPerChannel(voxels.type)));
+    convert(use, voxels.type, path, result);
+    return result;
+}
 
 std::uint64_t mostTextureBytes()
 {

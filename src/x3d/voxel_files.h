@@ -2,6 +2,8 @@
 
 #include "style/voxel_texture.h"
 
+#include "x3d/scene.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -33,5 +35,8 @@ std::uint64_t mostTextureBytes();
 /// its voxels, a texture has no texels.
 TextureResult readVoxelFile(const std::string& path, TexelUse use,
                             VoxelReading reading = VoxelReading::whole);
+
+/// The same of what was read of the file.
+TextureResult textureOf(ReadVoxels voxels, const std::string& path, TexelUse use);
 
 } // namespace vo

@@ -108,7 +108,7 @@ TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use, VoxelReadi
     for (const std::string& url : stringsOf(node, "url")) {
         const auto place = scene_.locate(node, url);
         TextureResult read{nullptr, place.reason};
-        if (place.reason.empty()) read = readVoxelFile(place.path.string(), use, reading);
+        if (place.reason.empty()) read = readFile(node, place.path.string(), use, reading);
         if (read.texture) {
             const std::string note = std::move(read.note);
             read = arranged(node, place.path.string(), std::move(read.texture));
@@ -119,6 +119,19 @@ TextureResult VoxelTextures::readUrls(const Node& node, TexelUse use, VoxelReadi
         if (reasons.size() > 400) break;
     }
     return {nullptr, reasons.empty() ? "expected a url, found none" : reasons};
+}
+
+/// Not again where the program has read it.
+TextureResult VoxelTextures::readFile(const Node& node, const std::string& path, TexelUse use,
+                                      VoxelReading reading)
+{
+    const auto found = scene_.readVoxels.find(&node);
+    const bool isThere = found != scene_.readVoxels.end() && !found->second->bytes.empty();
+    if (!isThere || reading == VoxelReading::sizesAlone) return readVoxelFile(path, use, reading);
+    ReadVoxels voxels = std::move(*found->second);
+    found->second->bytes = {};
+    if (voxels.revision != node.revision()) return readVoxelFile(path, use, reading);
+    return textureOf(std::move(voxels), path, use);
 }
 
 TextureResult VoxelTextures::composed(const Node& node, TexelUse use, VoxelReading reading)

@@ -46,6 +46,7 @@ private:
 
     TextureResult make(const Node& node, TexelUse use, VoxelReading reading);
     TextureResult readUrls(const Node& node, TexelUse use, VoxelReading reading);
+    TextureResult readFile(const Node& node, const std::string& path, TexelUse use, VoxelReading reading);
     TextureResult composed(const Node& node, TexelUse use, VoxelReading reading);
     void applyProperties(const Node& node, VoxelTexture& texture);
 

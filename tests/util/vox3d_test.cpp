@@ -499,6 +499,45 @@ TEST_F(Vox3dPicture, optionsThatLeaveNothingToBeSeenAreToldOf)
               "vox3d: option -lut: changes nothing with -style projection\n");
 }
 
+TEST_F(Vox3dPicture, colouredVoxelsKeepTheirColoursBesideLabels)
+{
+    const VolumeInfo info{{8, 8, 8}, 4, ChannelType::uint8};
+    EXPECT_TRUE(writeTiffStack(folder / "colours.tif", info, std::vector<std::byte>(4 * 512, std::byte{99})));
+    const std::string labels = floats("labels.nrrd", "8 8 8", std::vector<float>(512, 1));
+    const auto told = [&](const std::string& style) {
+        return vox3d((folder / "colours.tif") + " -size 8 8 -labels " + labels + " -style " + style +
+                     " -output " + (folder / "a.png"))
+            .output;
+    };
+    EXPECT_EQ(told("opacity"),
+              "vox3d: option -labels: gives no colours to voxels that have colours, and hides "
+              "those of the number 0\n");
+    EXPECT_EQ(told("cartoon"), "") << "its colours are those of labels";
+}
+
+/// What a command reads from files, as the system counts it.
+long long bytesRead(const std::string& command)
+{
+    const ProgramRun run = runProgram("sh -c '" + command + "; cat /proc/$$/io'");
+    const std::size_t at = run.output.find("rchar: ");
+    return at == std::string::npos ? 0 : std::stoll(run.output.substr(at + 7));
+}
+
+TEST_F(Vox3dPicture, filesOfVolumesAndLabelsAreReadOnce)
+{
+    constexpr long long kBytes = 4 * 100 * 100 * 100;
+    const std::vector<float> few(8, 1), many(100 * 100 * 100, 2);
+    const std::string small = floats("small.nrrd", "2 2 2", few),
+                      large = floats("large.nrrd", "100 100 100", many);
+    const auto bytesOf = [&](const std::string& arguments) {
+        return bytesRead(VOX3D " -size 8 8 -output " + (folder / "a.png ") + arguments);
+    };
+    const long long least = bytesOf(small);
+    if (least == 0) GTEST_SKIP() << "no /proc/PID/io";
+    EXPECT_LT(double(bytesOf(large) - least) / kBytes, 1.5);
+    EXPECT_LT(double(bytesOf(large + " -labels " + large) - least) / kBytes, 3.0);
+}
+
 TEST_F(Vox3dPicture, aSceneWithNothingToDrawIsToldOf)
 {
     const std::string path = scene("none.x3d", "<Group/>");
@@ -631,7 +670,10 @@ TEST_F(Vox3dPicture, wrongArgumentsAreAnsweredWithOneLine)
     refused(good + " -output a.jpg", "option -output: expected a file name that ends in .png");
     refused(good + " -viewpoint Back" + out, "found \"Back\"");
     refused(good + " -frames 3", "option -frames: expected -output FILE.png beside it");
-    refused(good + " -frames 3 -output f%s.png", "expected a name with a %d");
+    for (const char* const name : {"f%s.png", "f.png"})
+        refused(good + " -frames 3 -output " + name, "option -output: expected a name with a %d or %03d for "
+                                                     "the number of each of the -frames, found '" +
+                                                         std::string(name) + "'");
     refused(good + " -sampling 0" + out,
             "option -sampling: expected a distance from 0.01 to 100, found \"0\"");
     refused(good + " -engine ray" + out, "option -engine: expected slices or cast, found \"ray\"");

@@ -113,6 +113,43 @@ INSTANTIATE_TEST_SUITE_P(
         Case{volume("<ProjectionVolumeStyle intensityThreshold='1'/>"), ""},
         Case{"<VolumeData/>", "VolumeData has no voxels: not drawn"}));
 
+/// What was refused is not missing a second time.
+TEST(DoubtfulValues, valuesThatWereRefusedAreToldOfOnce)
+{
+    const auto expectOne = [](const std::string& nodes, const std::string& told, const std::string& version) {
+        EXPECT_EQ(ViewedScene(nodes, version).messages(), "s.x3d:2: error: " + told + "\n");
+        EXPECT_EQ(checked({nodes, "", version}), "s.x3d:2: error: " + told + "\n");
+    };
+    expectOne("<VolumeData><PixelTexture containerField='voxels' image='1 1 1 7'/></VolumeData>",
+              "VolumeData.voxels: expected X3DTexture3DNode, found PixelTexture", "4.0");
+    const std::string texture = "<PixelTexture3D containerField='voxels' image='1 1 1 1 7'/>";
+    expectOne("<VolumeData>" + texture + texture + "</VolumeData>",
+              "VolumeData.voxels: expected one node, found 2: none is kept", "4.0");
+    expectOne(
+        "<IsoSurfaceVolumeData surfaceValues='nothing'><PixelTexture3D containerField='voxels' image='1 1 1 "
+        "1 7'/></IsoSurfaceVolumeData>",
+        "IsoSurfaceVolumeData.surfaceValues: expected a number, found \"nothing\"", "4.0");
+}
+
+TEST(DoubtfulValues, whyNothingIsSeenHasATopicOfItsOwn)
+{
+    const auto topicsOf = [](const std::string& nodes) {
+        std::vector<MessageTopic> topics;
+        for (const SceneMessage& message : ViewedScene(nodes).scene.messages)
+            topics.push_back(message.topic);
+        return topics;
+    };
+    using Topics = std::vector<MessageTopic>;
+    EXPECT_EQ(topicsOf(isoVolume("surfaceValues='1.5'")), Topics{MessageTopic::nothingSeen});
+    EXPECT_EQ(topicsOf(isoVolume("")), Topics{MessageTopic::nothingSeen});
+    EXPECT_EQ(
+        topicsOf("<VolumeData><PixelTexture3D containerField='voxels' image='1 1 1 1 0'/></VolumeData>"),
+        Topics{MessageTopic::nothingSeen});
+    EXPECT_EQ(topicsOf(volume("<ProjectionVolumeStyle intensityThreshold='1.5'/>")),
+              Topics{MessageTopic::other});
+    EXPECT_EQ(topicsOf("<Transform scale='0 1 1'/>"), Topics{MessageTopic::other});
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Lists, DoubtfulValue,
     testing::Values(
@@ -137,6 +174,8 @@ INSTANTIATE_TEST_SUITE_P(
              "not "
              "seen"},
         Case{"<LOD range='10 20 30'><Group/><Group/></LOD>", ""},
+        Case{"<Inline/>", "Inline: expected a url, found none: nothing is drawn of it"},
+        Case{"<Inline load='false'/>", ""}, Case{"<Anchor url='\"of-a-link.html\"'/>", ""},
         Case{"<Switch whichChoice='1'><Group/></Switch>", "Switch.whichChoice: expected the number of one of "
                                                           "its 1 children, from 0, or -1, found 1: none is "
                                                           "drawn"},

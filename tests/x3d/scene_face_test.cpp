@@ -102,6 +102,50 @@ TEST(SceneFace, whatDoesNotExistIsAnError)
     EXPECT_TRUE(scene.isError(0));
 }
 
+TEST(SceneFace, messagesSayWhatTheyAreAbout)
+{
+    voX3DScene scene;
+    const std::string text =
+        "<X3D profile='Full' version='4.0'><Scene><IsoSurfaceVolumeData><Teapot/></IsoSurfaceVolumeData>"
+        "</Scene></X3D>";
+    ASSERT_TRUE(scene.readText(text.data(), text.size(), "a.x3d"));
+    const voX3DNode made = scene.createNode("IsoSurfaceVolumeData");
+    scene.setRoots(&made, 1);
+    scene.check();
+    ASSERT_EQ(scene.getMessageCount(), 5) << "two for each volume";
+    EXPECT_EQ(scene.getMessageTopic(0), voX3DScope::ANYTHING_ELSE) << scene.getMessage(0);
+    EXPECT_EQ(scene.getMessageTopic(1), voX3DScope::NOTHING_SEEN) << scene.getMessage(1);
+    EXPECT_EQ(std::string(scene.getMessageFile(0)), "a.x3d");
+    EXPECT_EQ(std::string(scene.getMessageFile(2)), "") << scene.getMessage(2);
+    voError::getErrorNumber();
+    scene.getMessageFile(5);
+    EXPECT_TRUE(refused());
+    scene.getMessageTopic(-1);
+    EXPECT_TRUE(refused());
+}
+
+TEST(SceneFace, voxelsThatWereReadAreOfTexturesWithFiles)
+{
+    voX3DScene scene;
+    const voX3DNode file = scene.createNode("ImageTexture3D"), pixels = scene.createNode("PixelTexture3D");
+    const unsigned char voxels[8] = {};
+    const int size[3] = {2, 2, 1}, none[3] = {2, 0, 1};
+    const voDataType byte = voDataTypeScope::UNSIGNED_BYTE;
+    voError::getErrorNumber();
+    scene.setReadVoxels(file, voxels, size, 2, 1, byte);
+    EXPECT_FALSE(refused());
+    scene.setReadVoxels(pixels, voxels, size, 2, 1, byte);
+    EXPECT_TRUE(refused()) << "no file";
+    scene.setReadVoxels(file, NULL, size, 1, 1, byte);
+    EXPECT_TRUE(refused()) << "no voxels";
+    scene.setReadVoxels(file, voxels, none, 1, 1, byte);
+    EXPECT_TRUE(refused()) << "no size";
+    scene.setReadVoxels(file, voxels, size, 1, 2, byte);
+    EXPECT_TRUE(refused()) << "more components than channels";
+    scene.setReadVoxels(file, voxels, size, 1, 1, voDataTypeScope::INT);
+    EXPECT_TRUE(refused()) << "a type that files do not have";
+}
+
 TEST(SceneFace, routesJoinFieldsOfOneType)
 {
     voX3DScene scene;

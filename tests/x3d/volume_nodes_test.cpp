@@ -265,6 +265,35 @@ TEST(VolumeNodes, threeChannelsOfAFileStayThree)
     EXPECT_EQ(texelsOf(*s.drawn.volumes[0].voxels), (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
 }
 
+TEST(VolumeNodes, voxelsThatAProgramHasReadAreNotReadAgain)
+{
+    const ScratchFolder folder;
+    writeNrrd<std::int16_t>(folder / "v.nrrd", "short", "2 1 1", {1, 2});
+    ViewedScene s("<VolumeData><ImageTexture3D DEF='F' url='\"v.nrrd\"'/></VolumeData>", "4.0", folder / "");
+    Node& file = *s.scene.names.at("F");
+    const auto read = [&](ChannelType type, int channels, int components, std::vector<std::uint8_t> bytes) {
+        ReadVoxels voxels{{2, 1, 1}, channels, components, type, {}, file.revision()};
+        for (const std::uint8_t byte : bytes)
+            voxels.bytes.push_back(std::byte{byte});
+        s.scene.readVoxels[&file] = std::make_shared<ReadVoxels>(std::move(voxels));
+    };
+    const auto texels = [&] {
+        SceneView view(s.scene);
+        return texelsOf(*view.styledScene({}).volumes.at(0).voxels);
+    };
+    using Bytes = std::vector<std::uint8_t>;
+    const Bytes ofFile{0, 0, 255, 255};
+    read(ChannelType::uint8, 4, 3, {1, 2, 3, 0, 4, 5, 6, 0});
+    EXPECT_EQ(texels(), (Bytes{1, 2, 3, 4, 5, 6}));
+    EXPECT_EQ(texels(), ofFile) << "of another view";
+    read(ChannelType::int8, 1, 1, {0x80, 0x7f});
+    EXPECT_EQ(texels(), (Bytes{0, 255}));
+    read(ChannelType::uint8, 1, 1, {7, 8});
+    file.put(file.field("url")->slot, std::vector<std::string>{"v.nrrd"});
+    EXPECT_EQ(texels(), ofFile) << "of another url";
+    EXPECT_EQ(s.messages(), "");
+}
+
 TEST(VolumeNodes, filesThatAreNotThereAreToldOfOnce)
 {
     const ScratchFolder folder;

@@ -43,12 +43,17 @@ bool isNumbered(const std::string& name)
     return numberedName(name, 0).has_value();
 }
 
-Result<void> checkFrameName(const char* option, const std::string& name)
+Result<void> checkNumbered(const char* option, const std::string& name)
 {
-    if (name.find('%') == std::string::npos || isNumbered(name)) return {};
+    if (isNumbered(name)) return {};
     return Failure{std::string("option ") + option +
                    ": expected a name with a %d or %03d for the number of each of the -frames, found '" +
                    name + "'"};
+}
+
+Result<void> checkFrameName(const char* option, const std::string& name)
+{
+    return name.find('%') == std::string::npos ? Result<void>() : checkNumbered(option, name);
 }
 
 std::string frameName(const std::string& name, int frames, int frame)

@@ -11,7 +11,10 @@ namespace vo {
 /// Whether a name has one %d or %03d for the number of a picture.
 bool isNumbered(const std::string& name);
 
-/// A failure where a name of a turn has a % that is no such number. `option` begins the message.
+/// A failure where a name has no such number. `option` begins the message.
+Result<void> checkNumbered(const char* option, const std::string& name);
+
+/// A failure where a name of a turn has a % that is no such number.
 Result<void> checkFrameName(const char* option, const std::string& name);
 
 /// The name of picture `frame`, from 0, of a turn of `frames`: with its number in place of %d. Without a turn

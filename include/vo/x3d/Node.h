@@ -54,6 +54,9 @@ public:
     enum voX3DEdition VO_ANY_INT { PROPOSAL_2005, X3D_33, X3D_40 };
     /** How scenes are written. */
     enum voX3DEncoding VO_ANY_INT { XML, CLASSIC_VRML };
+    /** What a message tells of: that no voxel can be seen of a volume or of a surface, whatever the view is; anything
+        else. */
+    enum voX3DMessageTopic VO_ANY_INT { NOTHING_SEEN, ANYTHING_ELSE };
 };
 
 class voX3DScene;

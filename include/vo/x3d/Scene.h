@@ -1,6 +1,7 @@
 #ifndef VO_X3D_SCENE_H
 #define VO_X3D_SCENE_H
 
+#include <vo/Enums.h>
 #include <vo/x3d/Node.h>
 
 /** A scene of X3D: nodes that files have or a program makes (docs/x3d.md). Nodes that nothing holds any more stay until
@@ -31,6 +32,10 @@ public:
     const char *getMessage(int index) const;
     /** Whether it is wrong by the standard; otherwise it is not supported here. */
     voBool isError(int index) const;
+    voX3DMessageTopic getMessageTopic(int index) const;
+    /** The file that it is about, "" for nodes that a program made: then its line begins with "warning: " or
+        "error: ". */
+    const char *getMessageFile(int index) const;
     int getErrorCount() const;
     int getLeftOutMessageCount() const;
     /** Adds messages on all that a picture would tell of, but for what voxels alone show: what is not drawn, values that
@@ -56,6 +61,14 @@ public:
     /** Names it, for find() and for files; "" takes the name away. BAD_VALUE for a name that files cannot write or that
         another node has. */
     void setName(const voX3DNode &node, const char *name);
+
+    /** Hands over what a program has read of the file of an ImageTexture3D, so that the first picture of it does not
+        read it again: voxels as they stand there, x fastest, then y and z, each of `channels` numbers side by side, of
+        which the first `components` count; bytes, shorts, with or without a sign, or floats. They are copied. Other
+        views, and pictures after a field of the node changed, read the file. BAD_VALUE for other nodes, types and
+        sizes. */
+    void setReadVoxels(const voX3DNode &texture, const void *voxels, const int size[3], int channels,
+                       int components, voDataType type);
 
     /** Connections between fields. */
     int getRouteCount() const;
