@@ -66,7 +66,7 @@ private:
         steps.up = steps.axis == 2 ? 1 : 2;
         steps.sign = inTexels[static_cast<int>(steps.axis)] > 0.0f ? 1 : -1;
         steps.length = glm::length(way) / most;
-        steps.first = grid_.offset / steps.length;
+        steps.first = shadowOffset(grid_, way) / steps.length;
         steps.last =
             light_.kind == StyleLight::Kind::directional ? std::numeric_limits<float>::infinity() : most;
         for (std::size_t a = 0; a < 3; ++a) {

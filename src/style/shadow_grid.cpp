@@ -41,6 +41,13 @@ float longestEdge(const glm::vec3& edges)
     return std::max({edges.x, edges.y, edges.z});
 }
 
+/// The length of a unit vector's way over one cell, along the axis that it passes most cells of.
+float edgeAlong(const glm::vec3& way, const glm::vec3& edges)
+{
+    const glm::vec3 cells = glm::abs(way) / edges;
+    return 1.0f / std::max({cells.x, cells.y, cells.z});
+}
+
 // From voxels to what stands in the way
 
 bool needNormals(const StyleChain& chain)
@@ -244,20 +251,28 @@ std::optional<LocalBox> shadowBoxOf(const StyledVolume& volume)
     return LocalBox{-0.5f * volume.dimensions, volume.dimensions};
 }
 
-float shadowOffset(const StyledVolume& volume, const LocalBox& box)
+float shadowOffset(const ShadowGrid& grid, const glm::vec3& wayToLight)
 {
-    return kOffset * std::max(longestEdge(gridEdges(box.sides)), static_cast<float>(volume.unitLength));
+    const glm::vec3 way = glm::normalize(wayToLight);
+    return kOffset * std::max(edgeAlong(way, grid.edges), edgeAlong(way, grid.voxelEdges));
+}
+
+ShadowGrid emptyShadowGrid(const StyledVolume& volume, const LocalBox& box)
+{
+    ShadowGrid grid;
+    grid.box = box;
+    grid.size = gridSize(box.sides);
+    grid.edges = gridEdges(box.sides);
+    const VoxelSize& voxels = volume.voxels->size;
+    grid.voxelEdges = volume.dimensions / glm::vec3(voxels.x, voxels.y, voxels.z);
+    return grid;
 }
 
 ShadowGrid shadowGridOf(const StyledVolume& volume, int threads)
 {
-    ShadowGrid grid;
     const std::optional<LocalBox> box = shadowBoxOf(volume);
-    if (!box) return grid;
-    grid.box = *box;
-    grid.size = gridSize(box->sides);
-    grid.edges = gridEdges(box->sides);
-    grid.offset = shadowOffset(volume, *box);
+    if (!box) return {};
+    ShadowGrid grid = emptyShadowGrid(volume, *box);
     grid.texels.resize(grid.size.count());
     grid.hasSurfaces = volume.surfaces.has_value();
     if (grid.hasSurfaces) grid.surfaces = surfacesOf(volume);

@@ -31,7 +31,7 @@ struct ShadowGrid
     LocalBox box;
     VoxelSize size;
     glm::vec3 edges{1.0f};         ///< of a texel, local
-    float offset = 0.0f;           ///< shadowOffset()
+    glm::vec3 voxelEdges{1.0f};    ///< local
     std::vector<float> texels;     ///< optical depth of a unit of local length; for surfaces the value, none
                                    ///< where clipped or outside
     bool hasSurfaces = false;      ///< light ends at them instead
@@ -41,10 +41,13 @@ struct ShadowGrid
 /// Nothing for tetrahedra that enclose nothing.
 std::optional<LocalBox> shadowBoxOf(const StyledVolume& volume);
 
-/// How far from a sample, local, its shadows begin, so that a surface does not darken itself: as far as its
-/// opacity may take to rise and the first samples may lie within it, a matter of voxels, and the reach of
-/// texels.
-float shadowOffset(const StyledVolume& volume, const LocalBox& box);
+/// How far from a sample, local, its shadows begin on the way to a light, so that a surface does not darken
+/// itself: as far as its opacity may take to rise and the first samples may lie within it, a matter of voxels
+/// along that way, and the reach of texels.
+float shadowOffset(const ShadowGrid& grid, const glm::vec3& wayToLight);
+
+/// Without texels: where it lies, and the edges of texels and voxels.
+ShadowGrid emptyShadowGrid(const StyledVolume& volume, const LocalBox& box);
 
 /// The opacity that samples have after their chain, seen along their normal: of styles that look at the eye
 /// too. Clipped parts are clear. A surface has the opacity of its chain for a voxel of its value. In up to

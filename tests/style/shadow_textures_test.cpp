@@ -58,6 +58,13 @@ StyleLight lampAt(const glm::vec3& position)
     return light;
 }
 
+/// The unit vector from a place to a light.
+dvec3 wayTo(const StyleLight& light, const dvec3& from)
+{
+    return light.kind == StyleLight::Kind::directional ? dvec3(-light.direction)
+                                                       : glm::normalize(dvec3(light.position) - from);
+}
+
 StyledVolume volumeOf(std::shared_ptr<const VoxelTexture> voxels, const glm::vec3& dimensions,
                       const std::vector<StyleLight>& lights)
 {
@@ -78,10 +85,7 @@ double lightAt(const StyledVolume& volume, const dvec3& position)
 {
     SampleBatch batch{};
     batch.count = 1;
-    const StyleLight& light = volume.surroundings.lights.at(0);
-    const dvec3 way = light.kind == StyleLight::Kind::directional
-                          ? dvec3(-light.direction)
-                          : glm::normalize(dvec3(light.position) - position);
+    const dvec3 way = wayTo(volume.surroundings.lights.at(0), position);
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         batch.position[a][0] = static_cast<float>(position[axis]);
@@ -101,9 +105,11 @@ StyledVolume shadowed(StyledVolume volume)
     return volume;
 }
 
-double offsetOf(const StyledVolume& volume)
+/// Where shadows begin on a way to the light.
+double offsetOf(const StyledVolume& volume, const dvec3& way)
 {
-    return static_cast<double>(shadowOffset(volume, shadowBoxOf(volume).value()));
+    const ShadowGrid grid = emptyShadowGrid(volume, shadowBoxOf(volume).value());
+    return static_cast<double>(shadowOffset(grid, glm::vec3(way)));
 }
 
 /// From a place in a box to where the ray leaves it, or to the light.
@@ -130,12 +136,16 @@ TEST(Shadows, ofAConstantVolumeFallWithTheLengthOfTheWay)
             volumeOf(voxelsOf({5, 4, 3}, [&](const dvec3&) { return opacity; }), dimensions, {light});
         volume.unitLength = 0.25;
         volume = shadowed(volume);
-        const double offset = offsetOf(volume);
-        EXPECT_NEAR(offset, 1.5 * 0.25, 1e-6);
+        // 1.5 voxels of 0.4 x 0.375 x 1/3, along the axis of which most are passed.
+        const auto offsetAt = [&](const dvec3& from) {
+            const dvec3 voxels = glm::abs(wayTo(light, from)) * dvec3(2.5, 4.0 / 1.5, 3.0);
+            return 1.5 / std::max({voxels.x, voxels.y, voxels.z});
+        };
         for (const double x : {-0.9, -0.31, 0.02, 0.77})
             for (const double y : {-0.7, -0.2, 0.55})
                 for (const double z : {-0.45, 0.04, 0.4}) {
-                    const double length = lengthOfWay(dvec3(dimensions), {x, y, z}, light) - offset;
+                    const double length =
+                        lengthOfWay(dvec3(dimensions), {x, y, z}, light) - offsetAt({x, y, z});
                     const double expected = std::pow(1.0 - opacity, std::max(length, 0.0) / 0.25);
                     EXPECT_NEAR(lightAt(volume, {x, y, z}), expected, 0.004) << x << " " << y << " " << z;
                 }
@@ -191,8 +201,7 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
     const double opacity = 51.0 / 255.0;
     const glm::vec3 low(3.0f, -2.0f, 1.0f);
     StyledVolume volume = volumeOf(voxelsOf({4, 4, 4}, [&](const dvec3&) { return opacity; }),
-                                   glm::vec3(1.0f), {sunOf({0, -1, 0})});
-    volume.unitLength = 0.1;
+                                   glm::vec3(0.4f), {sunOf({0, -1, 0})});
     // One tetrahedron, its edges of three lengths.
     auto tetra = std::make_shared<StyledTetras>();
     tetra->places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -203,15 +212,12 @@ TEST(Shadows, ofTetrahedraFallWithTheLengthOfTheWayInTheirOwnSpace)
          {sunOf({0, -1, 0}), sunOf({-1, 0, 0}), lampAt(low + glm::vec3(0.5f, 4.0f, 0.2f))}) {
         volume.surroundings.lights = {light};
         const StyledVolume seen = shadowed(volume);
-        const double offset = offsetOf(volume);
         for (const dvec3 at : {dvec3(0.2, 0.3, 0.2), dvec3(1.0, 0.5, 0.1), dvec3(0.3, 1.2, 0.3)}) {
             const dvec3 from = dvec3(low) + at;
-            const dvec3 way = light.kind == StyleLight::Kind::directional
-                                  ? dvec3(-light.direction)
-                                  : glm::normalize(dvec3(light.position) - from);
+            const dvec3 way = wayTo(light, from);
             // To the face where x / 2 + y / 3 + z is 1; none of the ways leaves by another one.
             const dvec3 slope(0.5, 1.0 / 3.0, 1.0);
-            const double length = (1.0 - glm::dot(slope, at)) / glm::dot(slope, way) - offset;
+            const double length = (1.0 - glm::dot(slope, at)) / glm::dot(slope, way) - offsetOf(volume, way);
             EXPECT_NEAR(lightAt(seen, from), std::pow(1.0 - opacity, std::max(length, 0.0) / 0.1), 0.015)
                 << at.x << " " << at.y;
         }
@@ -246,13 +252,17 @@ TEST(Shadows, ofTetrahedraThatOverlapAreThoseOfTheFirst)
     EXPECT_EQ(within, 28);
 }
 
-TEST(Shadows, beginBeyondTheLongerOfTexelsAndVoxels)
+TEST(Shadows, beginBeyondTheLongerOfTexelsAndVoxelsOfTheWay)
 {
-    const glm::vec3 dimensions(2.0f, 1.0f, 1.0f);
-    StyledVolume volume = volumeOf(voxelsOf({16, 8, 8}, [](const dvec3&) { return 1.0; }), dimensions, {});
-    EXPECT_NEAR(offsetOf(volume), 1.5 * 2.0 / 16.0, 1e-6);
-    volume.unitLength = 2.0 / 512.0;
-    EXPECT_NEAR(offsetOf(volume), 1.5 * 2.0 / 128.0, 1e-6);
+    const auto one = [](const dvec3&) { return 1.0; };
+    // Voxels of 1/8 x 1/8 x 1/2, then of 1/256; texels of 1/64.
+    const StyledVolume coarse = volumeOf(voxelsOf({16, 8, 2}, one), {2.0f, 1.0f, 1.0f}, {});
+    EXPECT_NEAR(offsetOf(coarse, {1, 0, 0}), 1.5 / 8.0, 1e-6);
+    EXPECT_NEAR(offsetOf(coarse, {0, 0, -5}), 1.5 / 2.0, 1e-6);
+    EXPECT_NEAR(offsetOf(coarse, {0, 0.6, 0.8}), 1.5 / 8.0 / 0.6, 1e-6) << "4.8 voxels of y, 1.6 of z";
+    EXPECT_NEAR(offsetOf(coarse, {0, 0.1, 1}), 1.5 / 2.0 * std::hypot(0.1, 1.0), 1e-6);
+    const StyledVolume fine = volumeOf(voxelsOf({512, 1, 1}, one), {2.0f, 1.0f / 256, 1.0f / 256}, {});
+    EXPECT_NEAR(offsetOf(fine, {1, 0, 0}), 1.5 / 64.0, 1e-6);
 }
 
 /// What samples a voxel apart from `start` on show of their light, seen from it: front to back.
@@ -269,21 +279,22 @@ double shownTowardsTheLight(const StyledVolume& volume, const dvec3& start, cons
     return shown / (1.0 - clear);
 }
 
-// A floor below y = 0, in a cube of 1: its opacity rises over the voxel between two centres.
+// A floor below y = 0, in a cube of 1: its opacity rises over the voxel between two centres, which may be
+// four times as high as wide.
 TEST(Shadows, ofAFaceDoNotFallOnItself)
 {
-    for (const int size : {16, 40})
+    for (const auto& [size, height] : {std::pair(16, 16), {40, 40}, {40, 10}, {64, 16}})
         for (const glm::vec3 direction : {glm::vec3(0, -1, 0), glm::vec3(0.3f, -1, 0.2f)}) {
             const StyleLight light = sunOf(direction);
             const StyledVolume volume = shadowed(volumeOf(
-                voxelsOf({size, size, size}, [](const dvec3& place) { return place.y < 0.5 ? 1.0 : 0.0; }),
+                voxelsOf({size, height, size}, [](const dvec3& place) { return place.y < 0.5 ? 1.0 : 0.0; }),
                 glm::vec3(1.0f), {light}));
-            const auto opacityAt = [&](const dvec3& at) { return std::clamp(0.5 - at.y * size, 0.0, 1.0); };
+            const auto opacityAt = [&](const dvec3& at) { return std::clamp(0.5 - at.y * height, 0.0, 1.0); };
             const dvec3 away(light.direction);
             for (double phase = 0.0; phase < 1.0; phase += 0.05)
-                EXPECT_GT(shownTowardsTheLight(volume, -away * (4.0 / size), away, phase, opacityAt),
+                EXPECT_GT(shownTowardsTheLight(volume, -away * (4.0 / height), away, phase, opacityAt),
                           1.0 - 4.0 / 255.0)
-                    << size << ", " << phase;
+                    << size << " x " << height << ", " << phase;
         }
 }
 

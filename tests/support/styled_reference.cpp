@@ -352,6 +352,17 @@ double opacityToLight(const StyledVolume& volume, const dvec3& position)
     return std::clamp(sample.Ov, 0.0, 1.0);
 }
 
+/// 1.5 texels or voxels of its way to the light from a sample, as many as are longer.
+double shadowBegin(const StyledVolume& volume, const LocalBox& box, const dvec3& toLight)
+{
+    const ShadowGrid grid = emptyShadowGrid(volume, box);
+    const auto edgeAlong = [&](const glm::vec3& edges) {
+        const dvec3 cells = glm::abs(toLight) / dvec3(edges);
+        return 1.0 / std::max({cells.x, cells.y, cells.z});
+    };
+    return 1.5 * std::max(edgeAlong(grid.edges), edgeAlong(grid.voxelEdges));
+}
+
 /// Along the straight way to the light, in short steps.
 double throughTo(const StyledVolume& volume, const StyleLight& light, const dvec3& position)
 {
@@ -362,7 +373,7 @@ double throughTo(const StyledVolume& volume, const StyleLight& light, const dvec
         end = std::min(end, glm::distance(dvec3(light.position), position));
     const double step = volume.unitLength / 3.0;
     double through = 1.0;
-    for (double at = static_cast<double>(shadowOffset(volume, box)); at < end; at += step) {
+    for (double at = shadowBegin(volume, box, L); at < end; at += step) {
         const double part = std::min(step, end - at);
         through *= std::pow(1.0 - opacityToLight(volume, position + L * (at + part / 2.0)),
                             part / volume.unitLength);
