@@ -36,6 +36,49 @@ std::map<std::string, Names> objectsOf(const GladGLContext& gl)
     return found;
 }
 
+/// The middle of the volume, 8 x 3 x 3 voxels of it, of which shadows are soon there; lit, with shadows,
+/// after a map of 4 texels.
+struct ShadedMiddle
+{
+    ShadedMiddle()
+    {
+        setImage(0xffff);
+        map.setNode("transferFunction", pixels);
+        shaded.setInt("lighting", 1);
+        shaded.setInt("shadows", 1);
+        const voX3DNode steps[] = {map, shaded};
+        chain.setNodes("renderStyle", steps, 2);
+    }
+
+    void setImage(int last)
+    {
+        const int image[] = {4, 1, 2, 0xff00, 0xff60, 0xc0a0, last};
+        pixels.setInts("image", image, 7);
+    }
+
+    std::unique_ptr<voX3DStyledVolume> in(const voX3DNode& style)
+    {
+        return std::make_unique<voX3DStyledVolume>(scene, style, &voxels.bricks, &tetras);
+    }
+
+    /// Lit along x alone.
+    std::unique_ptr<voX3DStyledVolume> lit()
+    {
+        auto volume = in(chain);
+        volume->setHeadlight(VO_FALSE);
+        volume->addLight(-1, 0, 0, 1);
+        return volume;
+    }
+
+    Voxels voxels;
+    float corners[24] = {0, 2, 2, 8, 2, 2, 0, 5, 2, 8, 5, 2, 0, 2, 5, 8, 2, 5, 0, 5, 5, 8, 5, 5};
+    int indices[20] = {0, 3, 5, 6, 1, 3, 5, 0, 2, 3, 0, 6, 4, 5, 6, 0, 7, 3, 6, 5};
+    voIndexedTetraSet tetras{corners, 8, 3, indices, 20};
+    voX3DScene scene;
+    voX3DNode pixels = scene.createNode("PixelTexture"), map = scene.createNode("OpacityMapVolumeStyle"),
+              shaded = scene.createNode("ShadedVolumeStyle"), chain = scene.createNode("ComposedVolumeStyle");
+};
+
 class StyledVolumeCache : public ProgramScreen
 {
 protected:
@@ -93,48 +136,11 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Profiles, StyledVolumeCache, vo::test::kBothProfiles, vo::test::profileName);
 
-/// The middle of the volume, 8 x 3 x 3 voxels of it: shadows of so little are soon there.
-struct Middle
-{
-    Middle()
-    {
-        for (int corner = 0; corner < 8; ++corner)
-            for (const float each :
-                 {corner & 1 ? 8.0f : 0.0f, corner & 2 ? 5.0f : 2.0f, corner & 4 ? 5.0f : 2.0f})
-                records.push_back(each);
-    }
-
-    std::vector<float> records;
-    int indices[20] = {0, 3, 5, 6, 1, 3, 5, 0, 2, 3, 0, 6, 4, 5, 6, 0, 7, 3, 6, 5};
-};
-
-/// Lit, with shadows, after a map of 4 texels.
-voX3DNode shadedMap(voX3DScene& scene, voX3DNode& map)
-{
-    voX3DNode pixels = scene.createNode("PixelTexture"), chain = scene.createNode("ComposedVolumeStyle");
-    const int image[] = {4, 1, 2, 0xff00, 0xff60, 0xc0a0, 0xffff};
-    pixels.setInts("image", image, 7);
-    map = scene.createNode("OpacityMapVolumeStyle");
-    map.setNode("transferFunction", pixels);
-    voX3DNode shaded = scene.createNode("ShadedVolumeStyle");
-    shaded.setInt("lighting", 1);
-    shaded.setInt("shadows", 1);
-    const voX3DNode steps[] = {map, shaded};
-    chain.setNodes("renderStyle", steps, 2);
-    return chain;
-}
-
 TEST_P(StyledVolumeCache, nothingIsSentAgainWhileOnlyTheCameraMoves)
 {
-    const Voxels voxels;
-    Middle middle;
-    voIndexedTetraSet tetras(middle.records.data(), 8, 3, middle.indices, 20);
-    voX3DScene scene;
-    voX3DNode map;
-    voX3DStyledVolume volume(scene, shadedMap(scene, map), const_cast<voBrickSetCollection*>(&voxels.bricks),
-                             &tetras);
-    volume.setHeadlight(VO_FALSE);
-    volume.addLight(-1, 0, 0, 1);
+    ShadedMiddle middle;
+    const auto lit = middle.lit();
+    voX3DStyledVolume& volume = *lit;
     EXPECT_GT(total(sliced(volume, turned()), 3), 10.0);
     const Names all = objectsOf(gl())["textures"];
     const std::map<int, const char*> kinds{{kVoxels, "voxels"}, {4, "transfer function"}, {128, "shadows"}};
@@ -154,13 +160,10 @@ TEST_P(StyledVolumeCache, nothingIsSentAgainWhileOnlyTheCameraMoves)
         EXPECT_LT(total(sliced(volume, aside_), 3), 1e-3) << kinds.at(width);
         EXPECT_LT(total(sliced(volume, round_), 3), 1e-3) << kinds.at(width);
         // What stands in their place is sent.
-        if (width == 4) {
-            voX3DNode pixels = map.getNode("transferFunction");
-            const int image[] = {4, 1, 2, 0xff00, 0xff60, 0xc0a0, 0xfffe};
-            pixels.setInts("image", image, 7);
-        } else {
+        if (width == 4)
+            middle.setImage(0xfffe);
+        else
             volume.update();
-        }
         EXPECT_GT(total(sliced(volume, aside_), 3), 10.0) << kinds.at(width);
     }
 }
@@ -174,33 +177,21 @@ struct Change
 
 TEST_P(StyledVolumeCache, whatIsChangedShowsInTheNextPicture)
 {
-    Voxels voxels;
-    Middle middle;
-    voIndexedTetraSet tetras(middle.records.data(), 8, 3, middle.indices, 20);
-    voX3DScene scene;
-    voX3DNode map;
-    const voX3DNode chain = shadedMap(scene, map);
-    voX3DNode shaded = chain.getNode("renderStyle", 1);
+    ShadedMiddle middle;
     bool isLitFromAbove = false;
     const auto made = [&] {
-        auto volume = std::make_unique<voX3DStyledVolume>(scene, chain, &voxels.bricks, &tetras);
-        volume->setHeadlight(VO_FALSE);
-        volume->addLight(-1, 0, 0, 1);
+        auto volume = middle.lit();
         if (isLitFromAbove) volume->addLight(0, -1, 0, 0.5f);
         return volume;
     };
     const Change changes[] = {
-        {"a field of a style", [&](auto&) { shaded.setInt("shadows", 0); }},
-        {"shadows", [&](auto&) { shaded.setInt("shadows", 1); }},
-        {"pixels of a texture",
-         [&](auto&) {
-             const int image[] = {4, 1, 2, 0xff00, 0xff60, 0x80f0, 0xff80};
-             map.getNode("transferFunction").setInts("image", image, 7);
-         }},
-        {"a step of the chain", [&](auto&) { map.setNode("transferFunction", voX3DNode()); }},
+        {"a field of a style", [&](auto&) { middle.shaded.setInt("shadows", 0); }},
+        {"shadows", [&](auto&) { middle.shaded.setInt("shadows", 1); }},
+        {"pixels of a texture", [&](auto&) { middle.setImage(0xff80); }},
+        {"a step of the chain", [&](auto&) { middle.map.setNode("transferFunction", voX3DNode()); }},
         {"voxels",
          [&](auto& volume) {
-             std::fill_n(voxels.values.begin() + 200, 100, static_cast<unsigned char>(250));
+             std::fill_n(middle.voxels.values.begin() + 200, 100, static_cast<unsigned char>(250));
              volume.update();
          }},
         {"a light",
@@ -229,18 +220,12 @@ TEST_P(StyledVolumeCache, whatIsChangedShowsInTheNextPicture)
 
 TEST_P(StyledVolumeCache, noObjectsStayBehind)
 {
-    const Voxels voxels;
-    Middle middle;
-    voIndexedTetraSet tetras(middle.records.data(), 8, 3, middle.indices, 20);
-    voX3DScene scene;
-    voX3DNode map;
-    const voX3DNode shadows = shadedMap(scene, map);
-    const voX3DNode styles[] = {voX3DNode(), shadows, scene.createNode("ProjectionVolumeStyle")};
+    ShadedMiddle middle;
+    const voX3DNode styles[] = {voX3DNode(), middle.chain, middle.scene.createNode("ProjectionVolumeStyle")};
     const auto before = objectsOf(gl());
     for (const voX3DNode& style : styles)
         for (const bool isReleased : {false, true}) {
-            auto volume = std::make_unique<voX3DStyledVolume>(
-                scene, style, const_cast<voBrickSetCollection*>(&voxels.bricks), &tetras);
+            auto volume = middle.in(style);
             for (const voEngine engine : kEngines) {
                 sliced(*volume, turned());
                 drawn(*volume, turned(), projection_, engine);
