@@ -37,10 +37,10 @@ VolumeWay wayOf(const StyledVolume& volume, VolumePlace place)
     return place != VolumePlace::among && !volume.tetras ? VolumeWay::rays : VolumeWay::slices;
 }
 
-RayPart partOf(VolumePlace place)
+RayReach partOf(VolumePlace place)
 {
-    if (place == VolumePlace::betweenHits) return RayPart::betweenHits;
-    return place == VolumePlace::ofHits ? RayPart::nextHit : RayPart::whole;
+    if (place == VolumePlace::betweenHits) return RayReach::betweenHits;
+    return place == VolumePlace::ofHits ? RayReach::nextHit : RayReach::whole;
 }
 
 /// -1 where there is no such chain.
@@ -208,7 +208,7 @@ void DrawnVolume::bindTextures(const TranslucentTarget& target)
 int DrawnVolume::unitsOfPicture() const
 {
     if (!takesRays()) return 0;
-    return part_ == RayPart::whole ? 1 : part_ == RayPart::nextHit ? 2 : 3;
+    return part_ == RayReach::whole ? 1 : part_ == RayReach::nextHit ? 2 : 3;
 }
 
 /// Those, from this unit on; returns the unit that follows.
@@ -221,8 +221,8 @@ int DrawnVolume::bindPicture(const TranslucentTarget& target, int unit)
         program_->set(name, unit++);
     };
     if (takesRays()) bind(target.depths(), "windowDepths");
-    if (part_ != RayPart::whole) bind(hits_->reached(), "reached");
-    if (part_ == RayPart::betweenHits) bind(hits_->next(), "next");
+    if (part_ != RayReach::whole) bind(hits_->reached(), "reached");
+    if (part_ == RayReach::betweenHits) bind(hits_->next(), "next");
     return unit;
 }
 

@@ -77,7 +77,7 @@ private:
     VoxelTexture chainTable_, chainRows_, stackedTables_, clearBlocks_;
     std::vector<std::uint64_t> tablesStacked_; ///< their serial numbers
     bool leaps_ = false, isMerged_ = false;
-    RayPart part_ = RayPart::whole;
+    RayReach part_ = RayReach::whole;
     const RayHits* hits_ = nullptr; ///< of parts of rays
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;

@@ -119,7 +119,7 @@ std::string mainText(const StyledVolume& volume, const ProgramRequest& request,
     }
     const std::string walk = std::string(kRayFunctions) + kWalkFunctions;
     if (!volume.surfaces) return walk + chainAt + kMarchedSamplesMain;
-    if (request.part == RayPart::nextHit) return walk + surfaces + kReachedGlsl + kNextSurfaceMain;
+    if (request.part == RayReach::nextHit) return walk + surfaces + kReachedGlsl + kNextSurfaceMain;
     return walk + surfaces + kMarchedSurfacesMain;
 }
 
@@ -132,7 +132,7 @@ std::string wayDefinitions(const StyledVolume& volume, const ProgramRequest& req
     if (request.way == VolumeWay::projectedRays)
         text += define("TYPE", static_cast<std::size_t>(volume.projection->type));
     if (request.mergedLater) text += define("MERGED_LATER");
-    if (request.part == RayPart::betweenHits) text += define("BETWEEN_HITS");
+    if (request.part == RayReach::betweenHits) text += define("BETWEEN_HITS");
     if (request.way != VolumeWay::rays) return text;
     text +=
         define("BLOCK_SHIFT", PaddedVoxels::kBlockShift) +

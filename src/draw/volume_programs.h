@@ -32,14 +32,14 @@ enum class VolumeWay { slices, rays, projectedRays, planeSamples };
 
 /// What of a ray is drawn at once: all; the part behind the hit that is reached, up to the next one; or the
 /// next hit of a surface of values (draw/ray_hits.h).
-enum class RayPart { whole, betweenHits, nextHit };
+enum class RayReach { whole, betweenHits, nextHit };
 
 struct ProgramRequest
 {
     VolumeWay way = VolumeWay::slices;
-    bool leaps = false;            ///< of rays: over blocks that are clear
-    bool mergedLater = false;      ///< of projectedRays: not drawn, but kept for others to be put in front
-    RayPart part = RayPart::whole; ///< of rays
+    bool leaps = false;              ///< of rays: over blocks that are clear
+    bool mergedLater = false;        ///< of projectedRays: not drawn, but kept for others to be put in front
+    RayReach part = RayReach::whole; ///< of rays
 };
 
 VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& request);
