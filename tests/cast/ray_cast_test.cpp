@@ -163,6 +163,43 @@ TEST(RayCast, tablesOfAllSizesAreTheReference)
     }
 }
 
+vo::ShadingPlan planOf(const std::vector<float>& entries)
+{
+    vo::Table table;
+    table.rgba = entries;
+    vo::CastShading shading;
+    shading.table = &table;
+    return shadingPlan(shading, vo::TexelFormat::intensity, false);
+}
+
+/// Colours halfway to the next step, of samples that all have the same value, between two entries and, 170,
+/// at one.
+TEST(RayCast, smoothTablesAreWithinTheErrorOfTheirSteps)
+{
+    for (const int byte : {150, 153, 170}) {
+        const Field field = vo::test::fieldOf(kVolume, [&](const glm::dvec3&) { return byte / 255.0; });
+        for (const bool perspective : {false, true}) {
+            Scene scene = sceneOf(field);
+            if (perspective) scene.view = vo::test::perspectiveView({20, 30}, field.size, kSize, kSize, 40.0);
+            scene.table = colourTable(64, 0.24);
+            scene.color = {1.0, 1.0, 1.0, 1.0};
+            ASSERT_GT(planOf(scene.table).smoothSteps, 1);
+            const auto result = compared(scene);
+            EXPECT_LT(result.largestMasked, 1.0 / 2040.0 + 1.0 / 2046.0);
+        }
+    }
+}
+
+TEST(RayCast, tablesAreSmoothWhoseColoursChangeLittleAndOpacitiesAreSmall)
+{
+    std::vector<float> table = colourTable(256, 0.2);
+    EXPECT_GT(planOf(table).smoothSteps, 0);
+    EXPECT_EQ(planOf(colourTable(256, 0.3)).smoothSteps, 0);
+    EXPECT_EQ(planOf(colourTable(8, 0.2)).smoothSteps, 0);
+    table[4 * 100] += 0.05f;
+    EXPECT_EQ(planOf(table).smoothSteps, 0);
+}
+
 TEST(RayCast, samplesWithoutTableAreTheReference)
 {
     const Field field = bumps(kVolume);
