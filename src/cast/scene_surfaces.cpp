@@ -207,8 +207,11 @@ bool CastSurfaces::isSeen(const Prepared& prepared, const Hit& hit, const DepthR
     if (prepared.styled->solid && !hit.front) return false;
     if (!(hit.depth >= rays_.depths().begin && hit.depth <= rays_.depths().end)) return false;
     const glm::dvec4 position(ray.at(hit.depth), 1.0);
-    return std::all_of(prepared.clipPlanes.begin(), prepared.clipPlanes.end(),
-                       [&](const glm::dvec4& plane) { return glm::dot(plane, position) >= 0.0; });
+    // A face that lies in a plane is whole, however places on rays are rounded.
+    const double rounding = 1e-12 * (glm::length(ray.origin) + glm::length(glm::dvec3(position)));
+    return std::all_of(prepared.clipPlanes.begin(), prepared.clipPlanes.end(), [&](const glm::dvec4& plane) {
+        return glm::dot(plane, position) >= -rounding * glm::length(glm::dvec3(plane));
+    });
 }
 
 void CastSurfaces::draw(const PictureTile& tile, SurfaceTile& result) const

@@ -171,7 +171,7 @@ void SceneDrawer::Private::findHits(bool hasSurfaces)
     hits.bind(ofHits.size());
     if (!hasSurfaces) return;
     gl.Enable(GL_DEPTH_TEST);
-    gl.DepthFunc(GL_LEQUAL);
+    gl.DepthFunc(GL_LESS); // of one depth the first
     translucent.findHits(hits, target, ofHits.size());
 }
 

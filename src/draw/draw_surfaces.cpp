@@ -180,8 +180,9 @@ void TranslucentSurfaces::gatherParts()
     }
     std::ranges::sort(parts_, [this](const Part& a, const Part& b) {
         const Triangle &first = triangles_[a.triangle], &second = triangles_[b.triangle];
-        return std::tuple(a.slab, -first.middle, first.surface, a.triangle) <
-               std::tuple(b.slab, -second.middle, second.surface, b.triangle);
+        // What comes first in the scene is drawn last.
+        return std::tuple(a.slab, -first.middle, second.surface, b.triangle) <
+               std::tuple(b.slab, -second.middle, first.surface, a.triangle);
     });
 }
 

@@ -94,7 +94,7 @@ uniform sampler2D windowDepths;
 uniform int firstTriangle;
 layout(location = 1) out vec4 hit;
 
-// Behind the last one: farther, or at one depth an earlier triangle.
+// Behind the last one: farther, or at one depth a later triangle.
 bool isBehindLast(float triangle)
 {
     const float kHalfStep = 3e-8; // of depths of 24 bits
@@ -102,7 +102,7 @@ bool isBehindLast(float triangle)
     vec4 last = lastReached();
     if (!isNextWanted(last)) return false;
     if (!isOwn(last)) return true;
-    return gl_FragCoord.z > last.z || (gl_FragCoord.z == last.z && triangle < last.w);
+    return gl_FragCoord.z > last.z || (gl_FragCoord.z == last.z && triangle > last.w);
 }
 #endif
 

@@ -309,6 +309,19 @@ TEST(castSurfaces, clipPlanesCutThem)
     EXPECT_EQ(pixelOf(picture, 20, 20).b, 1.0f);
 }
 
+TEST(castSurfaces, facesThatLieInClipPlanesAreWhole)
+{
+    StyledScene scene = perspectiveScene();
+    for (const double z : {0.0, 0.1}) {
+        scene.surfaces = {squareOf(z, 0.0f)};
+        const ScenePicture whole = castOf(scene);
+        scene.surfaces[0].clipPlanes = {{0.0, 0.0, -1.0, z}};
+        EXPECT_EQ(castOf(scene).rgba, whole.rgba) << z;
+        scene.surfaces[0].clipPlanes = {{0.0, 0.0, -1.0, z - 1e-6}};
+        EXPECT_EQ(middleOf(castOf(scene)).b, 0.0f) << z;
+    }
+}
+
 TEST(castSurfaces, nonsenseIsLeftOut)
 {
     const float nan = std::numeric_limits<float>::quiet_NaN();

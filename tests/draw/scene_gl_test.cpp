@@ -786,6 +786,14 @@ TEST_P(SceneDrawing, facesOfOneDepthAreAllSeenAndInTheirOrder)
     StyledScene among = sliced(scene);
     among.volumes.pop_back();
     EXPECT_GT(psnr(picture(among), std::vector<double>(alone.begin(), alone.end())), kEqual);
+    // Behind green, which lets 0.5 through, red comes first and lets 0.4 through.
+    ScenePicture cast;
+    castScene(scene, 0, cast);
+    for (const std::vector<float>& drawn : {alone, cast.rgba}) {
+        const auto middle = pixelAt(drawn, kPixels / 2, kPixels / 2);
+        EXPECT_NEAR(middle[0], 0.5f * 0.6f, 1e-4f);
+        EXPECT_NEAR(middle[2], 0.5f * 0.4f * 0.6f, 1e-4f);
+    }
 }
 
 /// Two boxes of one value each whose fronts cross in the plane x = 0.
