@@ -2,8 +2,10 @@
 
 #include "draw/seen_bounds.h"
 #include "draw/volume_programs.h"
+#include "style/styled_voxels.h"
 
 #include <algorithm>
+#include <array>
 
 namespace vo {
 
@@ -11,6 +13,43 @@ namespace {
 
 /// Each takes 32 bytes a pixel.
 constexpr std::ptrdiff_t kMostSources = 8;
+/// Rays stop at each; slabs are drawn once for all that are in them.
+constexpr double kMostLayers = 64.0;
+
+struct Square
+{
+    glm::dvec2 lower{1.0}, upper{-1.0};
+
+    void add(const Square& other)
+    {
+        lower = glm::min(lower, other.lower);
+        upper = glm::max(upper, other.upper);
+    }
+    double area() const { return std::max(upper.x - lower.x, 0.0) * std::max(upper.y - lower.y, 0.0); }
+};
+
+/// How many translucent triangles are one behind the other, on average over the part of the picture that they
+/// are in. A triangle counts as half of the rectangle around it.
+double translucentLayers(const StyledScene& scene)
+{
+    double covered = 0.0;
+    Square all;
+    for (const StyledSurface& surface : scene.surfaces) {
+        if (!isSound(surface)) continue;
+        for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
+            if (surface.isOpaque(i)) continue;
+            std::array<glm::vec3, 3> corners;
+            for (std::size_t corner = 0; corner < 3; ++corner)
+                corners[corner] = surface.positions[static_cast<std::size_t>(surface.triangles[i + corner])];
+            const SeenBounds bounds = seenBounds(scene, surface.worldFromLocal, corners);
+            const Square seen{glm::max(bounds.lower, -1.0), glm::min(bounds.upper, 1.0)};
+            if (!(seen.area() > 0.0)) continue;
+            covered += 0.5 * seen.area();
+            all.add(seen);
+        }
+    }
+    return covered > 0.0 ? covered / all.area() : 0.0;
+}
 
 /// All between hits or of them; empty where that cannot be.
 std::vector<VolumePlace> placesOnRays(const StyledScene& scene, std::span<const StyledVolume* const> volumes)
@@ -31,8 +70,9 @@ std::vector<VolumePlace> placesOnRays(const StyledScene& scene, std::span<const 
     }
     for (std::size_t i = 0; i < volumes.size(); ++i)
         if (volumes[i]->surfaces) walk(i);
-    return std::ranges::count(places, VolumePlace::ofHits) < kMostSources ? places
-                                                                          : std::vector<VolumePlace>();
+    const bool isTooMuch = std::ranges::count(places, VolumePlace::ofHits) >= kMostSources ||
+                           translucentLayers(scene) > kMostLayers;
+    return isTooMuch ? std::vector<VolumePlace>() : places;
 }
 
 } // namespace

@@ -34,14 +34,15 @@ struct Planned
     std::vector<std::size_t> walked;
 };
 
-Planned planned(const std::vector<StyledVolume>& volumes, bool withPane = false)
+Planned planned(const std::vector<StyledVolume>& volumes, int panes = 0)
 {
     StyledScene scene;
     scene.clipFromEye = glm::perspective(1.5, 1.0, 0.01, 100.0);
-    if (withPane) {
+    for (int i = 0; i < panes; ++i) {
         StyledSurface& pane = scene.surfaces.emplace_back();
-        pane.positions = {{-1, -1, -5}, {1, -1, -5}, {0, 1, -5}};
-        pane.triangles = {0, 1, 2};
+        pane.positions = {{-1, -1, -5}, {1, -1, -5}, {1, 1, -5}, {-1, 1, -5}};
+        pane.normals.assign(4, {0, 0, 1});
+        pane.triangles = {0, 1, 2, 0, 2, 3};
         pane.transparency = 0.5f;
     }
     std::vector<const StyledVolume*> drawn;
@@ -66,7 +67,7 @@ TEST(volumePlaces, areThoseOfVolumesAloneWhereNothingMeets)
 
 TEST(volumePlaces, areOnRaysWhereSamplesMeetSurfacesAlone)
 {
-    EXPECT_EQ(planned({volumeAt(5.0, Kind::samples)}, true).places, Places{kBetween});
+    EXPECT_EQ(planned({volumeAt(5.0, Kind::samples)}, 1).places, Places{kBetween});
     EXPECT_EQ(planned({volumeAt(5.0, Kind::surfaces), volumeAt(6.0, Kind::samples)}).places,
               (Places{kOf, kBetween}));
     EXPECT_EQ(planned({volumeAt(5.0, Kind::surfaces), volumeAt(6.0, Kind::surfaces)}).places,
@@ -77,9 +78,9 @@ TEST(volumePlaces, areAmongOthersWhereSamplesMeet)
 {
     EXPECT_EQ(planned({volumeAt(5.0, Kind::samples), volumeAt(6.0, Kind::samples)}).places,
               (Places{kAmong, kAmong}));
-    EXPECT_EQ(planned({volumeAt(20.0, Kind::samples), volumeAt(5.0, Kind::projection)}, true).places,
+    EXPECT_EQ(planned({volumeAt(20.0, Kind::samples), volumeAt(5.0, Kind::projection)}, 1).places,
               (Places{kAlone, kAmong}));
-    EXPECT_EQ(planned({volumeAt(5.0, Kind::tetrahedra)}, true).places, Places{kAmong});
+    EXPECT_EQ(planned({volumeAt(5.0, Kind::tetrahedra)}, 1).places, Places{kAmong});
 }
 
 TEST(volumePlaces, areAmongOthersWhereTooManyHaveHits)
@@ -96,6 +97,13 @@ TEST(walkedNearestFirst, goesByDepth)
                                   volumeAt(5.5, Kind::surfaces), volumeAt(9.0, Kind::surfaces)});
     EXPECT_EQ(plan.places, (Places{kBetween, kBetween, kOf, kBetween}));
     EXPECT_EQ(plan.walked, (Numbers{1, 3, 0}));
+}
+
+TEST(volumePlaces, raysDoNotStopAtVeryMany)
+{
+    const std::vector<StyledVolume> volume{volumeAt(5.0, Kind::samples)};
+    EXPECT_EQ(planned(volume, 60).places, Places{kBetween});
+    EXPECT_EQ(planned(volume, 68).places, Places{kAmong});
 }
 
 } // namespace
