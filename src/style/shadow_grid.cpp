@@ -41,11 +41,10 @@ float longestEdge(const glm::vec3& edges)
     return std::max({edges.x, edges.y, edges.z});
 }
 
-/// The length of a unit vector's way over one cell, along the axis that it passes most cells of.
+/// The length, along a unit vector, of a way that is one cell long where cells are cubes of edge 1.
 float edgeAlong(const glm::vec3& way, const glm::vec3& edges)
 {
-    const glm::vec3 cells = glm::abs(way) / edges;
-    return 1.0f / std::max({cells.x, cells.y, cells.z});
+    return 1.0f / glm::length(way / edges);
 }
 
 // From voxels to what stands in the way

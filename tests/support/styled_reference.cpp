@@ -356,10 +356,7 @@ double opacityToLight(const StyledVolume& volume, const dvec3& position)
 double shadowBegin(const StyledVolume& volume, const LocalBox& box, const dvec3& toLight)
 {
     const ShadowGrid grid = emptyShadowGrid(volume, box);
-    const auto edgeAlong = [&](const glm::vec3& edges) {
-        const dvec3 cells = glm::abs(toLight) / dvec3(edges);
-        return 1.0 / std::max({cells.x, cells.y, cells.z});
-    };
+    const auto edgeAlong = [&](const glm::vec3& edges) { return 1.0 / glm::length(toLight / dvec3(edges)); };
     return 1.5 * std::max(edgeAlong(grid.edges), edgeAlong(grid.voxelEdges));
 }
 
