@@ -16,24 +16,19 @@ constexpr std::ptrdiff_t kMostSources = 8;
 /// Rays stop at each; slabs are drawn once for all that are in them.
 constexpr double kMostLayers = 64.0;
 
-struct Square
+/// Of the part that is in the picture.
+double areaOf(const SeenBounds& bounds)
 {
-    glm::dvec2 lower{1.0}, upper{-1.0};
-
-    void add(const Square& other)
-    {
-        lower = glm::min(lower, other.lower);
-        upper = glm::max(upper, other.upper);
-    }
-    double area() const { return std::max(upper.x - lower.x, 0.0) * std::max(upper.y - lower.y, 0.0); }
-};
+    const glm::dvec2 size = glm::min(bounds.upper, 1.0) - glm::max(bounds.lower, -1.0);
+    return std::max(size.x, 0.0) * std::max(size.y, 0.0);
+}
 
 /// How many translucent triangles are one behind the other, on average over the part of the picture that they
 /// are in. A triangle counts as half of the rectangle around it.
 double translucentLayers(const StyledScene& scene)
 {
     double covered = 0.0;
-    Square all;
+    SeenBounds all;
     for (const StyledSurface& surface : scene.surfaces) {
         if (!isSound(surface)) continue;
         for (std::size_t i = 0; i + 2 < surface.triangles.size(); i += 3) {
@@ -42,13 +37,13 @@ double translucentLayers(const StyledScene& scene)
             for (std::size_t corner = 0; corner < 3; ++corner)
                 corners[corner] = surface.positions[static_cast<std::size_t>(surface.triangles[i + corner])];
             const SeenBounds bounds = seenBounds(scene, surface.worldFromLocal, corners);
-            const Square seen{glm::max(bounds.lower, -1.0), glm::min(bounds.upper, 1.0)};
-            if (!(seen.area() > 0.0)) continue;
-            covered += 0.5 * seen.area();
-            all.add(seen);
+            if (!(areaOf(bounds) > 0.0)) continue;
+            covered += 0.5 * areaOf(bounds);
+            all.lower = glm::min(all.lower, bounds.lower);
+            all.upper = glm::max(all.upper, bounds.upper);
         }
     }
-    return covered > 0.0 ? covered / all.area() : 0.0;
+    return covered > 0.0 ? covered / areaOf(all) : 0.0;
 }
 
 /// All between hits or of them; empty where that cannot be.

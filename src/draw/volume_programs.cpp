@@ -119,8 +119,9 @@ std::string mainText(const StyledVolume& volume, const ProgramRequest& request,
     }
     const std::string walk = std::string(kRayFunctions) + kWalkFunctions;
     if (!volume.surfaces) return walk + chainAt + kMarchedSamplesMain;
-    if (request.part == RayReach::nextHit) return walk + surfaces + kReachedGlsl + kNextSurfaceMain;
-    return walk + surfaces + kMarchedSurfacesMain;
+    const std::string crossings = walk + surfaces + kCrossingFunctions;
+    if (request.part == RayReach::nextHit) return crossings + kReachedGlsl + kNextSurfaceMain;
+    return crossings + kMarchedSurfacesMain;
 }
 
 /// Of what the main functions ask about.

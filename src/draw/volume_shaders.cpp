@@ -383,6 +383,25 @@ void main()
 }
 )";
 
+const char* const kCrossingFunctions = R"(
+// Goes on by leaps and a few planes, as far as one before which a surface is crossed: whether there is one.
+// The values at the plane before it, and at it.
+bool findCrossing(inout float k, float last, Walk walk, out float here, out float there)
+{
+    k = leapFrom(k, last, walk);
+    float until = min(k + kSamplesAtOnce, last);
+    there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+    here = there;
+    while (k < until) {
+        here = there;
+        k += 1.0;
+        there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
+        if (crossesAny(here, there)) return true;
+    }
+    return false;
+}
+)";
+
 const char* const kMarchedSurfacesMain = R"(
 void main()
 {
@@ -395,18 +414,8 @@ void main()
     fragment = vec4(0.0);
     float k = planes.x;
     while (k < last && fragment.a < kOpaque) {
-        k = leapFrom(k, last, walk);
-        float until = min(k + kSamplesAtOnce, last);
-        float here = 0.0, there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
-        bool isFound = false;
-        while (k < until) {
-            here = there;
-            k += 1.0;
-            there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
-            isFound = crossesAny(here, there);
-            if (isFound) break;
-        }
-        if (!isFound) continue;
+        float here, there;
+        if (!findCrossing(k, last, walk, here, there)) continue;
         for (int i = 0; i < SURFACES; ++i) {
             int number = surfaceOnWay(i, here, there);
             float value = surfaceValues[number];
@@ -437,18 +446,8 @@ void main()
     fragment = vec4(0.0);
     float k = isFirst ? planes.x : before.z;
     while (k < last && fragment.a == 0.0) {
-        k = leapFrom(k, last, walk);
-        float until = min(k + kSamplesAtOnce, last);
-        float here = 0.0, there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
-        bool isFound = false;
-        while (k < until) {
-            here = there;
-            k += 1.0;
-            there = textureLod(voxels, walk.place + k * walk.placeStep, 0.0).r;
-            isFound = crossesAny(here, there);
-            if (isFound) break;
-        }
-        if (!isFound) continue;
+        float here, there;
+        if (!findCrossing(k, last, walk, here, there)) continue;
         bool isPassed = !isFirst && k - 1.0 == before.z;
         for (int i = isPassed ? int(before.w) + 1 : 0; i < SURFACES && fragment.a == 0.0; ++i) {
             int number = surfaceOnWay(i, here, there);

@@ -29,6 +29,7 @@ extern const char* const kSamplesMain;
 extern const char* const kSurfacesMain;
 extern const char* const kPlaneSamplesMain;
 extern const char* const kMarchedSamplesMain;
+extern const char* const kCrossingFunctions; ///< of the next two
 extern const char* const kMarchedSurfacesMain;
 extern const char* const kNextSurfaceMain;
 extern const char* const kProjectionMain;
