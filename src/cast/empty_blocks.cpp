@@ -60,10 +60,14 @@ private:
 /// Lowers distances in a row to those of a neighbouring row and one more.
 void spread(const std::uint8_t* from, std::uint8_t* to, int count)
 {
-    for (int x = 0; x < count; ++x) {
-        const int least = std::min({from[std::max(x - 1, 0)], from[x], from[std::min(x + 1, count - 1)]});
-        to[x] = static_cast<std::uint8_t>(std::min<int>(to[x], least + 1));
-    }
+    const auto lower = [&](int x, std::uint8_t least) {
+        to[x] = std::min<std::uint8_t>(to[x], static_cast<std::uint8_t>(least + 1));
+    };
+    // The ends by themselves: what lies between is without conditions, for vectors.
+    for (int x = 1; x < count - 1; ++x)
+        lower(x, std::min(std::min(from[x - 1], from[x]), from[x + 1]));
+    lower(0, std::min(from[0], from[std::min(1, count - 1)]));
+    lower(count - 1, std::min(from[std::max(count - 2, 0)], from[count - 1]));
 }
 
 void spreadAlong(std::uint8_t* row, int count)

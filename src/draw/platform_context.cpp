@@ -1,13 +1,28 @@
 #include "draw/platform_context.h"
 
 #include <atomic>
+#include <cstddef>
 #include <dlfcn.h>
+#include <link.h>
 
 namespace vo {
 
 namespace {
 
 using GetCurrent = void* (*)();
+
+/// How often this process has loaded a library.
+unsigned long long librariesLoaded()
+{
+    unsigned long long count = 0;
+    dl_iterate_phdr(
+        [](dl_phdr_info* info, std::size_t, void* target) {
+            *static_cast<unsigned long long*>(target) = info->dlpi_adds;
+            return 1; // the first one says it
+        },
+        &count);
+    return count;
+}
 
 std::atomic<GetGlFunction> applicationFunctions{nullptr};
 
@@ -20,19 +35,22 @@ public:
     {
     }
 
-    PlatformContext current()
+    PlatformContext current(unsigned long long librariesLoaded)
     {
-        if (!ready_.load(std::memory_order_acquire) && !resolve()) return {};
+        if (!ready_.load(std::memory_order_acquire) && !resolve(librariesLoaded)) return {};
         void* handle = getCurrent_.load(std::memory_order_relaxed)();
         return handle ? PlatformContext{handle, getFunction_.load(std::memory_order_relaxed)}
                       : PlatformContext{};
     }
 
 private:
-    bool resolve()
+    /// Frames ask more than once, and dlopen looks for the file each time: only where it may be there now.
+    bool resolve(unsigned long long librariesLoaded)
     {
+        if (absentAt_.load(std::memory_order_relaxed) == librariesLoaded) return false;
         // Keeping the handle keeps the library, and so the two pointers.
         void* handle = dlopen(library_, RTLD_NOLOAD | RTLD_LAZY);
+        if (!handle) absentAt_.store(librariesLoaded, std::memory_order_relaxed);
         if (!handle) return false;
         auto getCurrent = reinterpret_cast<GetCurrent>(dlsym(handle, getCurrentName_));
         auto getFunction = reinterpret_cast<GetGlFunction>(dlsym(handle, getFunctionName_));
@@ -47,6 +65,7 @@ private:
     const char* getCurrentName_;
     const char* getFunctionName_;
     std::atomic<bool> ready_{false};
+    std::atomic<unsigned long long> absentAt_{0}; ///< how many libraries were loaded when it was not there
     std::atomic<GetCurrent> getCurrent_{nullptr};
     std::atomic<GetGlFunction> getFunction_{nullptr};
 };
@@ -62,8 +81,9 @@ Platform osmesa6("libOSMesa.so.6", "OSMesaGetCurrentContext", "OSMesaGetProcAddr
 PlatformContext currentPlatformContext()
 {
     if (GetGlFunction own = applicationFunctions.load()) return {reinterpret_cast<void*>(own), own};
+    const unsigned long long loaded = librariesLoaded();
     for (Platform* platform : {&glx, &glxInLibGl, &egl, &osmesa8, &osmesa6})
-        if (const PlatformContext context = platform->current(); context.handle) return context;
+        if (const PlatformContext context = platform->current(loaded); context.handle) return context;
     return {};
 }
 
