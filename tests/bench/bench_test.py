@@ -140,6 +140,13 @@ class Rounds(unittest.TestCase):
         rows = self.run_job("bad", "absent", "good")["rows"]
         self.assertEqual([r.get("absent") for r in rows], ["no window", "absent is not built", None])
 
+    def test_jobsOfTimesThatAreCloseHaveMoreRounds(self):
+        self.program("good", OBEDIENT)
+        entries = [jobs.Entry("good", "good", ["good"], picture=False)]
+        runner = measure.Runner(self.folder.name, 2, dict(os.environ), print)
+        found = runner.run(jobs.Job("job", "size", entries, repeats=3), self.folder.name)
+        self.assertGreaterEqual(len(found["rows"][0]["wallRounds"]), 6)
+
     def test_spreadIsHalfTheDistanceOfTheQuartiles(self):
         self.assertEqual(measure.middle([5.0, 1.0, 2.0, 3.0, 4.0]), {"median": 3.0, "spread": 1.0})
 

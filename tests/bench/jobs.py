@@ -15,17 +15,21 @@ class Entry:
 
 
 class Job:
-    """Entries that do the same work; `scene` is what ray_integral draws to judge their pictures by."""
+    """Entries that do the same work; `scene` is what ray_integral draws to judge their pictures by. The rounds are
+    `repeats` times as many as were asked for."""
 
-    def __init__(self, name, size, entries, scene=None, stands_for_us="cast"):
+    def __init__(self, name, size, entries, scene=None, stands_for_us="cast", repeats=1):
         self.name = name
         self.size = size
         self.entries = entries
         self.scene = scene
         self.stands_for_us = stands_for_us
+        self.repeats = repeats
 
 
 THREADS = 2
+# Of jobs whose times differ little from one another: the noise of a frame is as large as what is looked for.
+CLOSE = 3
 
 
 def ours(role, who, scene, folder, *options, engine="cast", threads=THREADS, picture=True):
@@ -79,7 +83,7 @@ def table_jobs(folder):
             ours("changed", "a new table each frame", scene, folder, "new-tables", picture=False),
             ours("kept", "the same table", scene, folder, picture=False),
         ]
-        yield Job("table/" + scene, "256^3 in 512x512", entries, None, "changed")
+        yield Job("table/" + scene, "256^3 in 512x512", entries, None, "changed", CLOSE)
 
 
 def thread_jobs(folder):
@@ -88,7 +92,7 @@ def thread_jobs(folder):
             ours("two", "2 threads", scene, folder, picture=False),
             ours("one", "1 thread", scene, folder, threads=1, picture=False),
         ]
-        yield Job("threads/" + scene, "256^3 in 512x512", entries, None, "two")
+        yield Job("threads/" + scene, "256^3 in 512x512", entries, None, "two", CLOSE)
 
 
 def polygonize_jobs():

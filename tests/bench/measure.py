@@ -139,8 +139,8 @@ class Runner:
                 # The first time compiles and allocates.
                 wall = first[role] if first[role] > 1.0 else take_turn(program, 1).wall
                 counts[role] = max(1, min(200, round(TURN / max(wall, 1e-6))))
-            kept, tried = 0, 0
-            while programs and kept < self.rounds and tried < 2 * self.rounds:
+            wanted, kept, tried = self.rounds * job.repeats, 0, 0
+            while programs and kept < wanted and tried < 2 * wanted:
                 tried += 1
                 order = list(programs)
                 order = order[tried % len(order):] + order[:tried % len(order)]
@@ -156,7 +156,7 @@ class Runner:
             for program in programs.values():
                 program.close()
         quiet = [all(turns[role][i].others <= DISTURBED for role in turns) for i in range(tried)]
-        use = [i for i in range(tried) if quiet[i]] if kept >= self.rounds else range(tried)
+        use = [i for i in range(tried) if quiet[i]] if kept >= wanted else range(tried)
         for row in results:
             row.update(times([turns[row["role"]][i] for i in use]))
         measured = {row["role"]: row for row in results}
