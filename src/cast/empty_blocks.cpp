@@ -49,7 +49,7 @@ public:
 
     bool hold(float low, float high) const
     {
-        return high <= highest_[static_cast<std::size_t>(low * (1 / kByteRaw))];
+        return high <= highest_[static_cast<std::size_t>(static_cast<int>(low * (1 / kByteRaw)))];
     }
 
 private:
@@ -78,7 +78,7 @@ void spreadAlong(std::uint8_t* row, int count)
         row[x] = static_cast<std::uint8_t>(std::min<int>(row[x], row[x + 1] + 1));
 }
 
-/// Makes lower bounds of distances out of 0 and others, from the distances between cubes of eight blocks.
+/// Makes lower bounds of distances out of 0 and kFarthest, from the distances between cubes of eight blocks.
 void spreadByEights(const glm::ivec3& count, int threads, std::uint8_t* distance)
 {
     const glm::ivec3 eights = (count + 1) / 2;
@@ -90,6 +90,11 @@ void spreadByEights(const glm::ivec3& count, int threads, std::uint8_t* distance
     };
     constexpr int kFarthestEight = EmptyBlocks::kFarthest / 2;
     std::vector<std::uint8_t> coarse(numberIn(eights, 0, 0, eights.z), kFarthestEight);
+    // Of blocks in cubes of eight that are so far apart.
+    const auto atLeast = [](std::uint8_t eight) {
+        return static_cast<std::uint8_t>(std::max<int>(2 * eight, 2) - 1);
+    };
+    const int pairs = count.x / 2;
     const auto rows = [&](std::size_t eightZ, const auto& visit) {
         const int first = 2 * static_cast<int>(eightZ);
         for (int z = first; z < std::min(first + 2, count.z); ++z)
@@ -98,15 +103,20 @@ void spreadByEights(const glm::ivec3& count, int threads, std::uint8_t* distance
     };
     parallelFor(static_cast<std::size_t>(eights.z), threads, [&](std::size_t eightZ) {
         rows(eightZ, [&](const std::uint8_t* own, std::uint8_t* eight) {
-            for (int x = 0; x < count.x; ++x)
-                if (own[x] == 0) eight[x / 2] = 0;
+            for (int pair = 0; pair < pairs; ++pair)
+                eight[pair] = std::min(eight[pair], std::min(own[2 * pair], own[2 * pair + 1]));
+            if (count.x % 2) eight[pairs] = std::min(eight[pairs], own[count.x - 1]);
         });
     });
     findBlockDistances(eights, coarse.data());
     parallelFor(static_cast<std::size_t>(eights.z), threads, [&](std::size_t eightZ) {
         rows(eightZ, [&](std::uint8_t* own, const std::uint8_t* eight) {
-            for (int x = 0; x < count.x; ++x)
-                if (own[x] != 0) own[x] = static_cast<std::uint8_t>(std::max(2 * eight[x / 2] - 1, 1));
+            for (int pair = 0; pair < pairs; ++pair) {
+                const std::uint8_t least = atLeast(eight[pair]);
+                own[2 * pair] = std::min(own[2 * pair], least);
+                own[2 * pair + 1] = std::min(own[2 * pair + 1], least);
+            }
+            if (count.x % 2) own[count.x - 1] = std::min(own[count.x - 1], atLeast(eight[pairs]));
         });
     });
 }
@@ -150,8 +160,10 @@ void findEmptyBlocks(const VoxelGrid& grid, const ShadingPlan& plan, CastBlendin
     };
     const auto mark = [&](const auto& isEmpty) {
         parallelFor(static_cast<std::size_t>(size.z), threads, [&](std::size_t z) {
-            for (std::size_t i = z * slice; i < (z + 1) * slice; ++i)
-                blocks.distance[i] = isEmpty(ranges.data() + 2 * channels * i) ? EmptyBlocks::kFarthest : 0;
+            const float* range = ranges.data() + 2 * channels * slice * z;
+            std::uint8_t* const distance = blocks.distance.data() + slice * z;
+            for (std::size_t i = 0; i < slice; ++i, range += 2 * channels)
+                distance[i] = isEmpty(range) ? EmptyBlocks::kFarthest : 0;
         });
     };
     if (grid.view().kind == GridKind::bytes) {
