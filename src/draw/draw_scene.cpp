@@ -58,6 +58,7 @@ private:
     void drawApart(const StyledScene& scene, std::size_t count);
     void useStep(const SceneStep& step, std::size_t merged);
     void findHits(bool hasSurfaces);
+    float sourceBetween(std::size_t volume) const;
     void drawFromHitToHit(const StyledScene& scene);
     void drawSteps(const std::vector<SceneStep>& steps, std::size_t merged);
     void checkErrors() const;
@@ -175,6 +176,13 @@ void SceneDrawer::Private::findHits(bool hasSurfaces)
     translucent.findHits(hits, target, ofHits.size());
 }
 
+/// The place of a volume among the sources, which are in the order of the scene.
+float SceneDrawer::Private::sourceBetween(std::size_t volume) const
+{
+    const auto before = std::ranges::lower_bound(ofHits, volume) - ofHits.begin();
+    return static_cast<float>(before) - 0.5f;
+}
+
 void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
 {
     const GladGLContext& gl = resources.context.gl;
@@ -190,7 +198,7 @@ void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
         hits.chooseNext(target);
         gl.Enable(GL_BLEND);
         for (const std::size_t i : walked)
-            volumes[i]->drawBetween(hits, target);
+            volumes[i]->drawBetween(hits, sourceBetween(i), target);
         isOn = hits.advance(target);
     }
     gl.DepthMask(GL_FALSE);

@@ -94,7 +94,7 @@ void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, 
     const bool alone = place == VolumePlace::alone;
     way_ = wayOf(volume, place);
     part_ = partOf(place);
-    isMerged_ = isProjected(volume) && !alone;
+    isMerged_ = isProjected(volume) && place == VolumePlace::among;
     if (way_ != VolumeWay::slices) countPlanes(scene, volume, layers_);
     const bool isOfSamples = !volume.tetras && !volume.surfaces;
     const bool mayLeap = way_ == VolumeWay::rays || (way_ == VolumeWay::slices && isOfSamples);
@@ -221,8 +221,10 @@ int DrawnVolume::bindPicture(const TranslucentTarget& target, int unit)
         program_->set(name, unit++);
     };
     if (takesRays()) bind(target.depths(), "windowDepths");
-    if (part_ != RayReach::whole) bind(hits_->reached(), "reached");
+    if (part_ == RayReach::whole) return unit;
+    bind(hits_->reached(), "reached");
     if (part_ == RayReach::betweenHits) bind(hits_->next(), "next");
+    program_->set("source", source_);
     return unit;
 }
 
@@ -348,10 +350,11 @@ void DrawnVolume::drawSlice(std::size_t first, std::size_t count) const
                                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-void DrawnVolume::drawBetween(const RayHits& hits, const TranslucentTarget& target)
+void DrawnVolume::drawBetween(const RayHits& hits, float source, const TranslucentTarget& target)
 {
     if (layers_.layers.empty()) return;
     hits_ = &hits;
+    source_ = source;
     target.bindWithoutDepths();
     useProgram(target);
     resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
@@ -361,8 +364,8 @@ void DrawnVolume::findHits(const RayHits& hits, std::size_t source, const Transl
 {
     if (layers_.layers.empty()) return;
     hits_ = &hits;
+    source_ = static_cast<float>(source);
     useProgram(target);
-    program_->set("source", static_cast<float>(source));
     resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -42,8 +42,8 @@ public:
     /// uses.
     void use(const TranslucentTarget& target);
     void draw(const SceneStep& step);
-    /// Of VolumePlace::betweenHits: draws what is there.
-    void drawBetween(const RayHits& hits, const TranslucentTarget& target);
+    /// Of VolumePlace::betweenHits: draws what is there. At one depth it is behind sources of lesser numbers.
+    void drawBetween(const RayHits& hits, float source, const TranslucentTarget& target);
     /// Of VolumePlace::ofHits: draws the next hits of a source into what is bound.
     void findHits(const RayHits& hits, std::size_t source, const TranslucentTarget& target);
 
@@ -79,6 +79,7 @@ private:
     bool leaps_ = false, isMerged_ = false;
     RayReach part_ = RayReach::whole;
     const RayHits* hits_ = nullptr; ///< of parts of rays
+    float source_ = 0.0f;
     const StyledScene* scene_ = nullptr;
     const StyledVolume* volume_ = nullptr;
 };

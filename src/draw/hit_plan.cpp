@@ -13,8 +13,8 @@ namespace {
 
 /// Each takes 32 bytes a pixel.
 constexpr std::ptrdiff_t kMostSources = 8;
-/// Rays stop at each; slabs are drawn once for all that are in them.
-constexpr double kMostLayers = 64.0;
+/// Rays stop at each; slabs are drawn once for all that are in them. Projections among slabs need no slices.
+constexpr double kMostLayers = 64.0, kMostLayersOfProjections = 16.0;
 
 /// Of the part that is in the picture.
 double areaOf(const SeenBounds& bounds)
@@ -60,13 +60,15 @@ std::vector<VolumePlace> placesOnRays(const StyledScene& scene, std::span<const 
         return true;
     };
     for (std::size_t i = 0; i < volumes.size(); ++i) {
-        if (volumes[i]->tetras || isProjected(*volumes[i])) return {};
-        if (!volumes[i]->surfaces && !walk(i)) return {};
+        if (volumes[i]->tetras) return {};
+        if (!volumes[i]->surfaces && !isProjected(*volumes[i]) && !walk(i)) return {};
     }
     for (std::size_t i = 0; i < volumes.size(); ++i)
         if (volumes[i]->surfaces) walk(i);
+    const bool areProjected =
+        std::ranges::any_of(volumes, [](const auto* volume) { return isProjected(*volume); });
     const bool isTooMuch = std::ranges::count(places, VolumePlace::ofHits) >= kMostSources ||
-                           translucentLayers(scene) > kMostLayers;
+                           translucentLayers(scene) > (areProjected ? kMostLayersOfProjections : kMostLayers);
     return isTooMuch ? std::vector<VolumePlace>() : places;
 }
 

@@ -9,12 +9,11 @@ namespace vo {
 
 /// Where a volume stands among what else is translucent: nothing lies between parts of it; something may, and
 /// all is drawn by depth; or rays go from hit to hit (draw/ray_hits.h), it being walked through in between,
-/// or having hits itself, as surfaces of values do.
+/// or having hits itself, as surfaces of values do and projections, which have one.
 enum class VolumePlace { alone, among, betweenHits, ofHits };
 
 /// For each of the volumes that are drawn. Rays go from hit to hit where something stands among others,
-/// unless samples of two volumes lie between each other, or there are projections or tetrahedra, or much that
-/// has hits.
+/// unless samples of two volumes lie between each other, or there are tetrahedra, or much that has hits.
 std::vector<VolumePlace> volumePlaces(const StyledScene& scene, std::span<const StyledVolume* const> volumes);
 
 /// Numbers of those that are walked through, the nearest first.

@@ -21,9 +21,20 @@ bool isOwn(vec4 last)
 {
     return last.y == source;
 }
+bool isAtBeginning(vec4 last)
+{
+    return last.y < -1.5;
+}
 bool isNextWanted(vec4 last)
 {
-    return isOwn(last) || last.y < -1.5;
+    return isOwn(last) || isAtBeginning(last);
+}
+// Whether something at a depth is behind a hit. Sources that are one place have depths that are rounded in
+// different ways: they are in the order of their numbers, which is that of the scene.
+bool isBehind(float depth, float source, vec2 hit)
+{
+    float behind = depth - hit.x;
+    return abs(behind) > 2e-6 * abs(hit.x) ? behind > 0.0 : source > hit.y;
 }
 )";
 
@@ -56,7 +67,7 @@ void main()
     if (isDone || last.x >= kNoHit) return;
     for (int i = 0; i < SOURCES; ++i) {
         vec4 hit = texelFetch(hits, ivec3(gl_FragCoord.xy, i), 0);
-        if (hit.x < next.x) next = vec4(hit.x, float(i), hit.zw);
+        if (hit.x < kNoHit && isBehind(next.x, next.y, vec2(hit.x, float(i)))) next = vec4(hit.x, float(i), hit.zw);
     }
     next.x = max(next.x, last.x);
 }

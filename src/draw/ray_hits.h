@@ -58,8 +58,10 @@ private:
     int width_ = 0, height_ = 0;
 };
 
-/// `vec4 lastReached()`, and of what it returns `bool isNextWanted(vec4)`, by the source at hand, and `bool
-/// isOwn(vec4)`, whether the last one was its own; `const float kNoHit`, the depth where there is none.
+/// `vec4 lastReached()`, and of what it returns `bool isNextWanted(vec4)`, by the source at hand, `bool
+/// isOwn(vec4)`, whether the last one was its own, and `bool isAtBeginning(vec4)`; `bool isBehind(float
+/// depth, float source, vec2 hit)`; `const float kNoHit`, the depth where there is none; `uniform float
+/// source`.
 extern const char* const kReachedGlsl;
 
 } // namespace vo

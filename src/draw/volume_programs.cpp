@@ -111,16 +111,18 @@ std::string mainText(const StyledVolume& volume, const ProgramRequest& request,
         volume.surfaces ? surfaceChainsText(*volume.surfaces, numberOf) + kSurfaceFunctions : "";
     const std::string projected =
         isProjected(volume) ? chainAt + opacityOfText(volume, numberOf) + kProjectedSample : "";
+    const std::string reached = request.part == RayReach::whole ? "" : kReachedGlsl;
     switch (request.way) {
     case VolumeWay::slices: return volume.surfaces ? surfaces + kSurfacesMain : chainAt + kSamplesMain;
     case VolumeWay::rays: break;
-    case VolumeWay::projectedRays: return kRayFunctions + projected + kJoinFunctions + kProjectionMain;
+    case VolumeWay::projectedRays:
+        return reached + kRayFunctions + projected + kJoinFunctions + kProjectionMain;
     case VolumeWay::planeSamples: return projected + kPlaneSamplesMain;
     }
-    const std::string walk = std::string(kRayFunctions) + kWalkFunctions;
+    const std::string walk = reached + kRayFunctions + kWalkFunctions;
     if (!volume.surfaces) return walk + chainAt + kMarchedSamplesMain;
     const std::string crossings = walk + surfaces + kCrossingFunctions;
-    if (request.part == RayReach::nextHit) return crossings + kReachedGlsl + kNextSurfaceMain;
+    if (request.part == RayReach::nextHit) return crossings + kNextSurfaceMain;
     return crossings + kMarchedSurfacesMain;
 }
 
@@ -134,6 +136,7 @@ std::string wayDefinitions(const StyledVolume& volume, const ProgramRequest& req
         text += define("TYPE", static_cast<std::size_t>(volume.projection->type));
     if (request.mergedLater) text += define("MERGED_LATER");
     if (request.part == RayReach::betweenHits) text += define("BETWEEN_HITS");
+    if (request.part == RayReach::nextHit) text += define("NEXT_HIT");
     if (request.way != VolumeWay::rays) return text;
     text +=
         define("BLOCK_SHIFT", PaddedVoxels::kBlockShift) +

@@ -31,7 +31,7 @@ bool isProjected(const StyledVolume& volume);
 enum class VolumeWay { slices, rays, projectedRays, planeSamples };
 
 /// What of a ray is drawn at once: all; the part behind the hit that is reached, up to the next one; or the
-/// next hit of a surface of values (draw/ray_hits.h).
+/// next hit, of a surface of values or of a projection (draw/ray_hits.h).
 enum class RayReach { whole, betweenHits, nextHit };
 
 struct ProgramRequest
@@ -39,7 +39,7 @@ struct ProgramRequest
     VolumeWay way = VolumeWay::slices;
     bool leaps = false;              ///< of rays: over blocks that are clear
     bool mergedLater = false;        ///< of projectedRays: not drawn, but kept for others to be put in front
-    RayReach part = RayReach::whole; ///< of rays
+    RayReach part = RayReach::whole; ///< of rays, and nextHit of projectedRays
 };
 
 VolumeProgram volumeProgram(const StyledVolume& volume, const ProgramRequest& request);

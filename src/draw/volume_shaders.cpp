@@ -274,16 +274,28 @@ float lastBefore(float depth)
 
 // Of the part of a ray that is drawn: where it begins, which is not in it, and where it ends.
 #ifdef BETWEEN_HITS
-uniform sampler2D reached, next;
+uniform sampler2D next;
+vec4 nextHit()
+{
+    return texelFetch(next, ivec2(gl_FragCoord.xy), 0);
+}
 vec2 partOfRay()
 {
-    ivec2 pixel = ivec2(gl_FragCoord.xy);
-    return vec2(texelFetch(reached, pixel, 0).x, texelFetch(next, pixel, 0).x) - depthBase;
+    return vec2(lastReached().x, nextHit().x) - depthBase;
+}
+bool isInPart(float depth)
+{
+    float there = depthBase + depth;
+    return isBehind(there, source, lastReached().xy) && !isBehind(there, source, nextHit().xy);
 }
 #else
 vec2 partOfRay()
 {
     return vec2(-1e30, 1e30);
+}
+bool isInPart(float depth)
+{
+    return true;
 }
 #endif
 )";
@@ -407,8 +419,9 @@ void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way)), part = partOfRay();
-    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(min(opaque, part.y)) + 1.0);
-    planes.x = max(planes.x, lastBefore(part.x));
+    // A crossing at the plane where the part begins or ends may be of the cell beside.
+    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(min(opaque, part.y)) + 2.0);
+    planes.x = max(planes.x, lastBefore(part.x) - 1.0);
     if (planes.x >= last) discard;
     Walk walk = walkOf(origin, way);
     fragment = vec4(0.0);
@@ -420,8 +433,7 @@ void main()
             int number = surfaceOnWay(i, here, there);
             float value = surfaceValues[number];
             float at = k - 1.0 + (value - here) / (there - here), depth = (at + 0.5) * spacing;
-            if (!crosses(value, here, there) || depth >= opaque) continue;
-            if (depth <= part.x || depth > part.y) continue;
+            if (!crosses(value, here, there) || depth >= opaque || !isInPart(depth)) continue;
             addSurface(number, walk.place + at * walk.placeStep, walk.local + at * walk.localStep);
         }
     }
@@ -528,11 +540,17 @@ vec4 colorOf(Joined all)
 }
 )";
 
-// What the projection merger keeps of a ray (draw/merge_projections.h): its grey times its opacity, that, and
-// the depth at which it begins.
+// A ray has one hit, where it begins. The projection merger keeps of it (draw/merge_projections.h) its grey
+// times its opacity, that, and the depth at which it begins.
 const char* const kProjectionMain = R"(
+#ifdef NEXT_HIT
+layout(location = 1) out vec4 hit;
+#endif
 void main()
 {
+#ifdef NEXT_HIT
+    if (!isAtBeginning(lastReached())) discard;
+#endif
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 range = depthsOn(origin, way), planes = planesIn(range);
     float last = min(planes.y, lastBefore(opaqueDepth()));
@@ -550,6 +568,10 @@ void main()
     fragment = colorOf(all);
 #ifdef MERGED_LATER
     fragment = vec4(fragment.ra, depthBase + range.x, 1.0);
+#endif
+#ifdef NEXT_HIT
+    if (fragment.a <= 0.0) discard;
+    hit = vec4(depthBase + range.x, 0.0, 0.0, 0.0);
 #endif
 }
 )";

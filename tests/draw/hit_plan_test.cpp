@@ -74,12 +74,22 @@ TEST(volumePlaces, areOnRaysWhereSamplesMeetSurfacesAlone)
               (Places{kBetween, kOf}));
 }
 
+TEST(volumePlaces, areOnRaysWhereProjectionsStandAmongOtherThings)
+{
+    EXPECT_EQ(planned({volumeAt(20.0, Kind::samples), volumeAt(5.0, Kind::projection)}, 1).places,
+              (Places{kBetween, kOf}));
+    EXPECT_EQ(planned({volumeAt(5.0, Kind::projection), volumeAt(5.0, Kind::projection)}).places,
+              (Places{kOf, kOf}));
+}
+
 TEST(volumePlaces, areAmongOthersWhereSamplesMeet)
 {
     EXPECT_EQ(planned({volumeAt(5.0, Kind::samples), volumeAt(6.0, Kind::samples)}).places,
               (Places{kAmong, kAmong}));
-    EXPECT_EQ(planned({volumeAt(20.0, Kind::samples), volumeAt(5.0, Kind::projection)}, 1).places,
-              (Places{kAlone, kAmong}));
+    EXPECT_EQ(
+        planned({volumeAt(5.0, Kind::samples), volumeAt(5.0, Kind::projection), volumeAt(6.0, Kind::samples)})
+            .places,
+        (Places{kAmong, kAmong, kAmong}));
     EXPECT_EQ(planned({volumeAt(5.0, Kind::tetrahedra)}, 1).places, Places{kAmong});
 }
 
@@ -104,6 +114,9 @@ TEST(volumePlaces, raysDoNotStopAtVeryMany)
     const std::vector<StyledVolume> volume{volumeAt(5.0, Kind::samples)};
     EXPECT_EQ(planned(volume, 60).places, Places{kBetween});
     EXPECT_EQ(planned(volume, 68).places, Places{kAmong});
+    const std::vector<StyledVolume> projection{volumeAt(5.0, Kind::projection)};
+    EXPECT_EQ(planned(projection, 15).places, Places{kOf});
+    EXPECT_EQ(planned(projection, 17).places, Places{kAmong});
 }
 
 } // namespace

@@ -774,6 +774,52 @@ TEST_P(SceneDrawing, surfacesOfValuesCrossEachOtherAndPanes)
     compare(scene, "a surface and a pane");
 }
 
+TEST_P(SceneDrawing, surfacesOfValuesCrossPanesAsTheyDoBesideProjections)
+{
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = turnedScene({}, perspective);
+        scene.volumes.push_back(otherSurfaces({0.25f}, 0.5f));
+        StyledVolume& projection = scene.volumes[0];
+        projection.projection = RayProjection{};
+        projection.worldFromLocal = glm::translate(glm::dmat4(1.0), glm::dvec3(0.8, 0.8, 0.0));
+        projection.dimensions = glm::vec3(0.2f);
+        scene.surfaces = {pane({0, 0, 0.1}, 20.0, {1, 0, 0}, 0.4f)};
+        scene.surfaces[0].worldFromLocal =
+            glm::rotate(scene.surfaces[0].worldFromLocal, 0.9, glm::dvec3(0.0, 1.0, 0.0));
+        compare(scene, perspective ? "pane and projection, perspective" : "pane and projection", kEqual);
+    }
+}
+
+/// Two volumes in one place, of one colour each.
+TEST_P(SceneDrawing, surfacesOfOneValueInOnePlaceAreInTheirOrder)
+{
+    for (const bool perspective : {false, true}) {
+        StyledScene scene = turnedScene({}, perspective);
+        IsoSurfaces& surfaces = scene.volumes[0].surfaces.emplace();
+        surfaces.values = {0.2f, 0.3f};
+        scene.volumes.push_back(scene.volumes[0]);
+        for (int i : {0, 1}) {
+            OpacityMap map;
+            map.transferFunction = bytes({2, 1, 1}, 4, [i](glm::dvec3, int c) {
+                return c == 3 ? 0.6 : c == 2 * i ? 1.0 : 0.0;
+            });
+            scene.volumes[static_cast<std::size_t>(i)].surfaces->chains = {{styleWithReference(map)}};
+        }
+        ScenePicture cast;
+        castScene(scene, 0, cast);
+        for (const std::vector<float>& drawn : {picture(scene), cast.rgba}) {
+            int seen = 0;
+            for (int y = 0; y < kPixels; ++y)
+                for (int x = 0; x < kPixels; ++x) {
+                    const auto pixel = pixelAt(drawn, x, y);
+                    ASSERT_NEAR(pixel[2], 0.4f * pixel[0], 1e-4f) << x << ", " << y;
+                    seen += pixel[3] > 0.5f ? 1 : 0;
+                }
+            EXPECT_GT(seen, 100);
+        }
+    }
+}
+
 TEST_P(SceneDrawing, facesOfOneDepthAreAllSeenAndInTheirOrder)
 {
     StyledScene scene = turnedScene({});
@@ -810,7 +856,7 @@ TEST_P(SceneDrawing, projectionsStandWhereRaysEnter)
     }
     ScenePicture cast;
     castScene(scene, 0, cast);
-    for (const std::vector<float>& drawn : {picture(scene), cast.rgba})
+    for (const std::vector<float>& drawn : {picture(scene), picture(sliced(scene)), cast.rgba})
         for (int y = 24; y < 40; ++y)
             for (int x = 21; x < 43; ++x) {
                 const float value = x < kPixels / 2 ? 51.0f / 255.0f : 204.0f / 255.0f;
@@ -826,12 +872,15 @@ TEST_P(SceneDrawing, projectionsStandAmongOtherThings)
         scene.volumes[0].projection = RayProjection{};
         scene.volumes[0].clipPlanes = {{0.3, 1.0, 0.1, 0.4}};
         scene.volumes.push_back(otherSurfaces({0.25f}, 0.5f));
-        compare(scene, "projection and surfaces" + way, 55.0);
+        for (const StyledScene& drawn : {scene, sliced(scene)})
+            compare(drawn, "projection and surfaces" + way, 55.0);
         scene.volumes[1].surfaces.reset();
-        compare(scene, "projection and samples" + way, 60.0);
+        for (const StyledScene& drawn : {scene, sliced(scene)})
+            compare(drawn, "projection and samples" + way, 60.0);
         scene.volumes[1].voxels = ball(2);
         scene.volumes[1].projection = RayProjection{RayProjection::Type::average, 0.0f};
-        compare(scene, "two projections" + way, kEqual);
+        for (const StyledScene& drawn : {scene, sliced(scene)})
+            compare(drawn, "two projections" + way, kEqual);
         scene.volumes.push_back(otherSurfaces({0.25f}, 0.5f));
         scene.volumes.back().surfaces.reset();
         scene.volumes.back().worldFromLocal[3] = {-0.2, -0.3, 0.0, 1.0};
