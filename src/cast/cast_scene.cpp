@@ -78,24 +78,33 @@ public:
 
     void cast(const PictureTile& tile, ScenePicture& picture)
     {
-        surfaces_.draw(tile, surfaceTile_);
         points_.draw(tile, nearestPoints_);
         for (Stream& stream : streams_)
             if (stream.volume->tetras) stream.volume->tetras->spansOf(tile, rays_, stream.tetras);
-        std::size_t index = 0;
-        for (int y = tile.y; y < tile.y + tile.height; ++y)
-            for (int x = tile.x; x < tile.x + tile.width; ++x)
-                write(castPixel(x, y, index++), x, y, picture);
+        for (int y = tile.y; y < tile.y + tile.height; y += part_.height) {
+            part_ = surfaces_.partFrom(tile, y);
+            surfaces_.draw(part_, surfaceTile_);
+            castPart(tile, picture);
+        }
     }
 
 private:
+    void castPart(const PictureTile& tile, ScenePicture& picture)
+    {
+        for (int y = part_.y; y < part_.y + part_.height; ++y)
+            for (int x = part_.x; x < part_.x + part_.width; ++x)
+                write(castPixel(x, y, tile.pixelAt(x, y)), x, y, picture);
+    }
+
+    /// `index` is the pixel's number in the tile.
     Pixel castPixel(int x, int y, std::size_t index)
     {
+        const std::size_t inPart = part_.pixelAt(x, y);
         const DepthRay ray = rays_.ray(x + 0.5, y + 0.5);
         const double limit = limits_.at(x, y);
-        SurfaceFragment opaque = opaqueAt(index);
+        SurfaceFragment opaque = opaqueAt(index, inPart);
         if (limit <= opaque.depth) opaque = {limit, glm::vec4(0.0f)};
-        fragments_ = surfaceTile_.translucent(index);
+        fragments_ = surfaceTile_.translucent(inPart);
         while (!fragments_.empty() && fragments_.back().depth >= opaque.depth)
             fragments_ = fragments_.first(fragments_.size() - 1);
         active_.clear();
@@ -120,9 +129,9 @@ private:
         pixel.through *= 1.0f - behind.a;
     }
 
-    const SurfaceFragment& opaqueAt(std::size_t pixel) const
+    const SurfaceFragment& opaqueAt(std::size_t pixel, std::size_t inPart) const
     {
-        const SurfaceFragment& surface = surfaceTile_.opaque(pixel);
+        const SurfaceFragment& surface = surfaceTile_.opaque(inPart);
         if (nearestPoints_.empty() || nearestPoints_[pixel].depth >= surface.depth) return surface;
         return nearestPoints_[pixel];
     }
@@ -191,6 +200,7 @@ private:
     const SightLimits& limits_;
     const CastSurfaces& surfaces_;
     const CastPoints& points_;
+    PictureTile part_; ///< rows of the tile
     SurfaceTile surfaceTile_;
     std::vector<SurfaceFragment> nearestPoints_;
     std::span<const SurfaceFragment> fragments_; ///< of the pixel, what is left

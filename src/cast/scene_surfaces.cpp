@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace vo {
 
@@ -38,21 +40,117 @@ struct CastSurfaces::Triangle
     std::array<std::uint32_t, 3> corners;
 };
 
-/// A triangle in a pixel.
-struct CastSurfaces::Hit
+/// The triangles that a tile may have.
+struct CastSurfaces::TileTriangles
 {
-    double depth = std::numeric_limits<double>::infinity();
-    std::uint32_t pixel = 0; ///< of the tile
-    Triangle triangle{};
-    glm::dvec3 weights{0.0}; ///< of the corners
-    bool front = true;
+    std::vector<Triangle> all;
+    std::size_t mostCrossings = 0; ///< of translucent ones with pixels
 };
 
-struct CastSurfaces::Covered
+/// A triangle at a pixel's middle.
+struct CastSurfaces::Crossing
 {
-    std::vector<Hit> opaque; ///< one a pixel
-    std::vector<Hit> translucent;
+    double depth = std::numeric_limits<double>::infinity();
+    std::uint32_t pixel = 0;    ///< of the part that is drawn
+    std::uint32_t triangle = 0; ///< of the tile
+    float opacity = 1.0f;
 };
+
+/// The rays of pixels, world, each found once.
+class CastSurfaces::PixelRays
+{
+public:
+    PixelRays(const SceneRays& rays, const PictureTile& part)
+        : rays_(rays), part_(part), found_(part.pixelCount(), {glm::dvec3(0.0), glm::dvec3(0.0)})
+    {
+    }
+
+    glm::dvec3 placeOf(std::size_t pixel) const
+    {
+        const auto number = static_cast<int>(pixel);
+        return {part_.x + number % part_.width + 0.5, part_.y + number / part_.width + 0.5, 1.0};
+    }
+    const DepthRay& of(std::size_t pixel)
+    {
+        DepthRay& ray = found_[pixel];
+        if (ray.direction != glm::dvec3(0.0)) return ray;
+        const glm::dvec3 place = placeOf(pixel);
+        return ray = transformed(rays_.worldFromEye(), rays_.ray(place.x, place.y));
+    }
+
+private:
+    const SceneRays& rays_;
+    PictureTile part_;
+    std::vector<DepthRay> found_;
+};
+
+/// All crossings of a part of a tile that count.
+class CastSurfaces::Covered
+{
+public:
+    explicit Covered(std::size_t pixels) : nearest_(pixels), fronts_(pixels) {}
+
+    bool isHidden(std::size_t pixel, double depth) const
+    {
+        const Front& front = fronts_[pixel];
+        return !(depth < nearest_[pixel].depth) || (front.through < kLeastThrough && depth > front.farthest);
+    }
+    void addOpaque(const Crossing& crossing) { nearest_[crossing.pixel] = crossing; }
+    void addTranslucent(const Crossing& crossing)
+    {
+        Front& front = fronts_[crossing.pixel];
+        front.through *= 1.0f - crossing.opacity;
+        front.farthest = std::max(front.farthest, crossing.depth);
+        ++front.count;
+        translucent_.push_back(crossing);
+    }
+    std::vector<Crossing> opaque() const;
+    /// By pixels, the nearest first.
+    std::vector<Crossing> translucent() const;
+
+private:
+    /// Rays end earlier (cast/cast_scene.cpp).
+    static constexpr float kLeastThrough = 1.0f / 4096.0f;
+    /// The translucent ones so far.
+    struct Front
+    {
+        float through = 1.0f;
+        double farthest = -std::numeric_limits<double>::infinity();
+        std::size_t count = 0;
+    };
+
+    std::vector<Crossing> nearest_;
+    std::vector<Front> fronts_;
+    std::vector<Crossing> translucent_;
+};
+
+std::vector<CastSurfaces::Crossing> CastSurfaces::Covered::opaque() const
+{
+    std::vector<Crossing> found;
+    for (const Crossing& crossing : nearest_)
+        if (std::isfinite(crossing.depth)) found.push_back(crossing);
+    return found;
+}
+
+std::vector<CastSurfaces::Crossing> CastSurfaces::Covered::translucent() const
+{
+    std::vector<Crossing> sorted(translucent_.size());
+    std::vector<std::size_t> end(fronts_.size() + 1, 0);
+    for (std::size_t pixel = 0; pixel < fronts_.size(); ++pixel)
+        end[pixel + 1] = end[pixel] + fronts_[pixel].count;
+    std::vector<std::size_t> next = end;
+    for (const Crossing& crossing : translucent_)
+        sorted[next[crossing.pixel]++] = crossing;
+    // What comes first in the scene is in front at one depth.
+    const auto isBefore = [](const Crossing& a, const Crossing& b) {
+        return a.depth != b.depth ? a.depth < b.depth : a.triangle < b.triangle;
+    };
+    for (std::size_t pixel = 0; pixel < fronts_.size(); ++pixel) {
+        const auto its = std::span(sorted).subspan(end[pixel], fronts_[pixel].count);
+        if (!std::ranges::is_sorted(its, isBefore)) std::ranges::sort(its, isBefore);
+    }
+    return sorted;
+}
 
 namespace {
 
@@ -70,6 +168,15 @@ struct Edges
         if (area < 0.0)
             for (glm::dvec3& e : edge)
                 e = -e;
+    }
+
+    /// Of the corners, at the middle of a pixel that may lie a little outside.
+    glm::dvec3 weightsAt(const glm::dvec3& place) const
+    {
+        const glm::dvec3 inside(std::max(glm::dot(edge[0], place), 0.0),
+                                std::max(glm::dot(edge[1], place), 0.0),
+                                std::max(glm::dot(edge[2], place), 0.0));
+        return inside / (inside.x + inside.y + inside.z);
     }
 
     /// Where two triangles share an edge, a pixel on it belongs to one of them.
@@ -154,59 +261,106 @@ void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
 {
     const Prepared& prepared = surfaces_[surface];
     Triangle triangle{surface, prepared.styled->isOpaque(first), {}};
-    std::array<glm::dvec3, 3> windows;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
         triangle.corners[i] = static_cast<std::uint32_t>(prepared.styled->triangles[first + i]);
-        windows[i] = prepared.vertices[triangle.corners[i]].window;
-    }
+    const std::array<glm::dvec3, 3> windows = windowsOf(triangle);
     const auto& [a, b, c] = windows;
     if (!(std::max({a.z, b.z, c.z}) > 0.0) || Edges(a, b, c).flat) return;
-    grid_.forTilesOf(pixelsOf(windows, grid_.picture()),
-                     [&](std::size_t tile) { tiles_[tile].push_back(triangle); });
+    grid_.forTilesOf(pixelsOf(windows, grid_.picture()), [&](std::size_t number) {
+        TileTriangles& tile = tiles_[number];
+        tile.all.push_back(triangle);
+        if (!triangle.isOpaque) tile.mostCrossings += pixelsOf(windows, grid_.tile(number)).pixelCount();
+    });
 }
 
-void CastSurfaces::cover(const Triangle& triangle, const PictureTile& tile, Covered& covered) const
+std::array<glm::dvec3, 3> CastSurfaces::windowsOf(const Triangle& triangle) const
 {
-    const Prepared& prepared = surfaces_[triangle.surface];
-    std::array<glm::dvec3, 3> windows;
-    glm::dvec3 depths;
-    for (int corner = 0; corner < 3; ++corner) {
-        const auto i = static_cast<std::size_t>(corner);
-        windows[i] = prepared.vertices[triangle.corners[i]].window;
-        depths[corner] = prepared.vertices[triangle.corners[i]].depth;
+    const std::vector<Vertex>& vertices = surfaces_[triangle.surface].vertices;
+    const auto& [a, b, c] = triangle.corners;
+    return {vertices[a].window, vertices[b].window, vertices[c].window};
+}
+
+PictureTile CastSurfaces::partFrom(const PictureTile& tile, int row) const
+{
+    constexpr std::size_t kMost = 1 << 17;
+    PictureTile part{tile.x, row, tile.width, tile.y + tile.height - row};
+    if (tiles_.empty()) return part;
+    const std::size_t crossings = tiles_[grid_.numberAt(tile.x, tile.y)].mostCrossings;
+    if (crossings <= kMost) return part;
+    const auto rows = static_cast<int>(kMost * static_cast<std::size_t>(tile.height) / crossings);
+    part.height = std::clamp(rows, 1, part.height);
+    return part;
+}
+
+/// Of those with pixels in the part: what is behind many others is then known to be hidden.
+std::vector<std::uint32_t> CastSurfaces::translucentNearestFirst(const PictureTile& part) const
+{
+    const std::vector<Triangle>& triangles = tiles_[grid_.numberAt(part.x, part.y)].all;
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        if (triangles[i].isOpaque || pixelsOf(windowsOf(triangles[i]), part).pixelCount() == 0) continue;
+        const std::vector<Vertex>& vertices = surfaces_[triangles[i].surface].vertices;
+        const auto& [a, b, c] = triangles[i].corners;
+        found.emplace_back(std::min({vertices[a].depth, vertices[b].depth, vertices[c].depth}), i);
     }
+    std::ranges::sort(found);
+    std::vector<std::uint32_t> numbers;
+    std::ranges::transform(found, std::back_inserter(numbers), [](const auto& one) { return one.second; });
+    return numbers;
+}
+
+void CastSurfaces::cover(const PictureTile& part, std::uint32_t number, PixelRays& rays,
+                         Covered& covered) const
+{
+    const Triangle& triangle = tiles_[grid_.numberAt(part.x, part.y)].all[number];
+    const std::array<glm::dvec3, 3> windows = windowsOf(triangle);
+    const PictureTile pixels = pixelsOf(windows, part);
+    if (pixels.pixelCount() == 0) return;
+    const Prepared& prepared = surfaces_[triangle.surface];
+    const auto& [a, b, c] = triangle.corners;
+    const glm::dvec3 depths(prepared.vertices[a].depth, prepared.vertices[b].depth,
+                            prepared.vertices[c].depth);
     const Edges edges(windows[0], windows[1], windows[2]);
-    const glm::dvec3 outward = prepared.normalMatrix * faceNormal(*prepared.styled, triangle.corners);
-    const PictureTile pixels = pixelsOf(windows, tile);
+    const bool isWhole = !prepared.styled->solid && prepared.clipPlanes.empty();
+    const RayPart& seen = rays_.depths();
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
         for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
             const glm::dvec3 place(x + 0.5, y + 0.5, 1.0);
             if (!edges.contain(place)) continue;
-            // The middle of the pixel may lie a little outside.
-            const glm::dvec3 inside(std::max(glm::dot(edges.edge[0], place), 0.0),
-                                    std::max(glm::dot(edges.edge[1], place), 0.0),
-                                    std::max(glm::dot(edges.edge[2], place), 0.0));
-            Hit hit;
-            hit.pixel = static_cast<std::uint32_t>(tile.pixelAt(x, y));
-            hit.triangle = triangle;
-            hit.weights = inside / (inside.x + inside.y + inside.z);
-            hit.depth = glm::dot(hit.weights, depths);
-            if (!(hit.depth < covered.opaque[hit.pixel].depth)) continue;
-            const DepthRay ray = transformed(rays_.worldFromEye(), rays_.ray(place.x, place.y));
-            hit.front = glm::dot(outward, ray.direction) < 0.0;
-            if (!isSeen(prepared, hit, ray)) continue;
-            if (triangle.isOpaque)
-                covered.opaque[hit.pixel] = hit;
-            else
-                covered.translucent.push_back(hit);
+            const glm::dvec3 weights = edges.weightsAt(place);
+            const double depth = glm::dot(weights, depths);
+            const std::size_t pixel = part.pixelAt(x, y);
+            if (!(depth >= seen.begin && depth <= seen.end) || covered.isHidden(pixel, depth)) continue;
+            if (!isWhole && !isSeen(triangle, rays.of(pixel), depth)) continue;
+            Crossing crossing{depth, static_cast<std::uint32_t>(pixel), number};
+            if (triangle.isOpaque) {
+                covered.addOpaque(crossing);
+            } else {
+                crossing.opacity = opacityOf(triangle, weights);
+                covered.addTranslucent(crossing);
+            }
         }
 }
 
-bool CastSurfaces::isSeen(const Prepared& prepared, const Hit& hit, const DepthRay& ray) const
+float CastSurfaces::opacityOf(const Triangle& triangle, const glm::dvec3& weights) const
 {
-    if (prepared.styled->solid && !hit.front) return false;
-    if (!(hit.depth >= rays_.depths().begin && hit.depth <= rays_.depths().end)) return false;
-    const glm::dvec4 position(ray.at(hit.depth), 1.0);
+    const StyledSurface& styled = *surfaces_[triangle.surface].styled;
+    const float opacity = styled.colors.empty() ? 1.0f - styled.transparency
+                                                : weighted(styled.colors, triangle.corners, weights).a;
+    return std::clamp(opacity, 0.0f, 1.0f);
+}
+
+glm::dvec3 CastSurfaces::outwardOf(const Triangle& triangle) const
+{
+    const Prepared& prepared = surfaces_[triangle.surface];
+    return prepared.normalMatrix * faceNormal(*prepared.styled, triangle.corners);
+}
+
+bool CastSurfaces::isSeen(const Triangle& triangle, const DepthRay& ray, double depth) const
+{
+    const Prepared& prepared = surfaces_[triangle.surface];
+    if (prepared.styled->solid && !(glm::dot(outwardOf(triangle), ray.direction) < 0.0)) return false;
+    const glm::dvec4 position(ray.at(depth), 1.0);
     // A face that lies in a plane is whole, however places on rays are rounded.
     const double rounding = 1e-12 * (glm::length(ray.origin) + glm::length(glm::dvec3(position)));
     return std::all_of(prepared.clipPlanes.begin(), prepared.clipPlanes.end(), [&](const glm::dvec4& plane) {
@@ -214,80 +368,82 @@ bool CastSurfaces::isSeen(const Prepared& prepared, const Hit& hit, const DepthR
     });
 }
 
-void CastSurfaces::draw(const PictureTile& tile, SurfaceTile& result) const
+void CastSurfaces::draw(const PictureTile& part, SurfaceTile& result) const
 {
     result.opaque_.clear();
     result.translucent_.clear();
     result.first_.clear();
     if (tiles_.empty()) return;
-    const auto& triangles = tiles_[grid_.numberAt(tile.x, tile.y)];
+    const std::vector<Triangle>& triangles = tiles_[grid_.numberAt(part.x, part.y)].all;
     if (triangles.empty()) return;
-    const std::size_t pixels = tile.pixelCount();
-    Covered covered;
-    covered.opaque.resize(pixels);
-    for (const bool opaque : {true, false})
-        for (const Triangle& triangle : triangles)
-            if (triangle.isOpaque == opaque) cover(triangle, tile, covered);
-    std::stable_sort(covered.translucent.begin(), covered.translucent.end(), [](const Hit& a, const Hit& b) {
-        return a.pixel != b.pixel ? a.pixel < b.pixel : a.depth < b.depth;
-    });
+    const std::size_t pixels = part.pixelCount();
+    Covered covered(pixels);
+    PixelRays rays(rays_, part);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        if (triangles[i].isOpaque) cover(part, i, rays, covered);
+    for (const std::uint32_t i : translucentNearestFirst(part))
+        cover(part, i, rays, covered);
     result.opaque_.resize(pixels);
-    std::vector<Hit> opaque;
-    for (const Hit& hit : covered.opaque)
-        if (std::isfinite(hit.depth)) opaque.push_back(hit);
-    const std::vector<glm::vec4> opaqueColors = colorsOf(tile, opaque);
+    const std::vector<Crossing> opaque = covered.opaque();
+    const std::vector<glm::vec4> opaqueColors = colorsOf(part, opaque, rays);
     for (std::size_t i = 0; i < opaque.size(); ++i)
         result.opaque_[opaque[i].pixel] = {opaque[i].depth, opaqueColors[i]};
-    const std::vector<glm::vec4> colors = colorsOf(tile, covered.translucent);
+    const std::vector<Crossing> translucent = covered.translucent();
+    const std::vector<glm::vec4> colors = colorsOf(part, translucent, rays);
     result.first_.assign(pixels + 1, 0);
     for (std::size_t i = 0; i < colors.size(); ++i) {
-        result.translucent_.push_back({covered.translucent[i].depth, colors[i]});
-        ++result.first_[covered.translucent[i].pixel + 1];
+        result.translucent_.push_back({translucent[i].depth, colors[i]});
+        ++result.first_[translucent[i].pixel + 1];
     }
     std::partial_sum(result.first_.begin(), result.first_.end(), result.first_.begin());
 }
 
-/// Fragments of one surface are lit together.
-std::vector<glm::vec4> CastSurfaces::colorsOf(const PictureTile& tile, std::span<const Hit> hits) const
+/// Crossings of one surface are lit together.
+std::vector<glm::vec4> CastSurfaces::colorsOf(const PictureTile& part, std::span<const Crossing> crossings,
+                                              PixelRays& rays) const
 {
-    std::vector<glm::vec4> colors(hits.size());
-    std::vector<std::size_t> order(hits.size());
+    const std::vector<Triangle>& triangles = tiles_[grid_.numberAt(part.x, part.y)].all;
+    const auto surfaceOf = [&](std::size_t i) { return triangles[crossings[i].triangle].surface; };
+    std::vector<glm::vec4> colors(crossings.size());
+    std::vector<std::size_t> order(crossings.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return hits[a].triangle.surface < hits[b].triangle.surface;
-    });
+    const auto isBefore = [&](std::size_t a, std::size_t b) { return surfaceOf(a) < surfaceOf(b); };
+    if (!std::is_sorted(order.begin(), order.end(), isBefore))
+        std::stable_sort(order.begin(), order.end(), isBefore);
     for (std::size_t first = 0; first < order.size();) {
         std::size_t end = first;
         while (end < order.size() && end - first < kBatchSize &&
-               hits[order[end]].triangle.surface == hits[order[first]].triangle.surface)
+               surfaceOf(order[end]) == surfaceOf(order[first]))
             ++end;
-        shade(tile, hits, std::span(order).subspan(first, end - first), colors);
+        shade(triangles, crossings, std::span(order).subspan(first, end - first), rays, colors);
         first = end;
     }
     return colors;
 }
 
-void CastSurfaces::shade(const PictureTile& tile, std::span<const Hit> hits,
-                         std::span<const std::size_t> which, std::span<glm::vec4> colors) const
+void CastSurfaces::shade(std::span<const Triangle> triangles, std::span<const Crossing> crossings,
+                         std::span<const std::size_t> which, PixelRays& rays,
+                         std::span<glm::vec4> colors) const
 {
-    const Prepared& prepared = surfaces_[hits[which[0]].triangle.surface];
+    const Prepared& prepared = surfaces_[triangles[crossings[which[0]].triangle].surface];
     const StyledSurface& styled = *prepared.styled;
     SampleBatch batch{};
     batch.count = static_cast<int>(which.size());
     for (std::size_t i = 0; i < which.size(); ++i) {
-        const Hit& hit = hits[which[i]];
-        const auto pixel = static_cast<int>(hit.pixel);
-        const DepthRay ray = transformed(rays_.worldFromEye(), rays_.ray(tile.x + pixel % tile.width + 0.5,
-                                                                         tile.y + pixel / tile.width + 0.5));
-        const glm::vec3 position(ray.at(hit.depth));
+        const Crossing& crossing = crossings[which[i]];
+        const Triangle& triangle = triangles[crossing.triangle];
+        const DepthRay& ray = rays.of(crossing.pixel);
+        const std::array<glm::dvec3, 3> windows = windowsOf(triangle);
+        const glm::dvec3 weights =
+            Edges(windows[0], windows[1], windows[2]).weightsAt(rays.placeOf(crossing.pixel));
+        const glm::vec3 position(ray.at(crossing.depth));
         const glm::vec3 V(glm::normalize(-ray.direction));
-        glm::dvec3 normal = prepared.normalMatrix * normalAt(styled, hit.triangle.corners, hit.weights);
-        if (!hit.front) normal = -normal;
+        glm::dvec3 normal = prepared.normalMatrix * normalAt(styled, triangle.corners, weights);
+        if (!(glm::dot(outwardOf(triangle), ray.direction) < 0.0)) normal = -normal;
         const double length = glm::length(normal);
         const glm::vec3 n(length > 0.0 ? normal / length : glm::dvec3(0.0));
-        const glm::vec4 color = styled.colors.empty()
-                                    ? glm::vec4(styled.diffuse, 1.0f - styled.transparency)
-                                    : weighted(styled.colors, hit.triangle.corners, hit.weights);
+        const glm::vec4 color = styled.colors.empty() ? glm::vec4(styled.diffuse, 1.0f - styled.transparency)
+                                                      : weighted(styled.colors, triangle.corners, weights);
         const glm::vec3 begun = styled.lit ? glm::vec3(color) : styled.emissive;
         for (int axis = 0; axis < 3; ++axis) {
             const auto a = static_cast<std::size_t>(axis);

@@ -6,6 +6,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,7 +23,7 @@ struct SurfaceFragment
     glm::vec4 color{0.0f};
 };
 
-/// The surfaces in the pixels of one tile, row by row.
+/// The surfaces in the pixels of a tile or a part of one, row by row.
 class SurfaceTile
 {
 public:
@@ -31,7 +32,7 @@ public:
     {
         return opaque_.empty() ? none_ : opaque_[pixel];
     }
-    /// Translucent ones in front of it, the nearest first.
+    /// Translucent ones in front of it, the nearest first, as far as anything shows through.
     std::span<const SurfaceFragment> translucent(std::size_t pixel) const
     {
         if (first_.empty()) return {};
@@ -53,29 +54,39 @@ public:
     CastSurfaces(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid);
     ~CastSurfaces();
 
-    /// Triangles in a tile of the picture, lit as X3D says.
-    void draw(const PictureTile& tile, SurfaceTile& result) const;
+    /// The rows of a tile, from `row` of the picture on, that are to be drawn at once: all that are left,
+    /// unless very many triangles would take much memory.
+    PictureTile partFrom(const PictureTile& tile, int row) const;
+    /// Triangles in such a part, lit as X3D says.
+    void draw(const PictureTile& part, SurfaceTile& result) const;
 
 private:
     struct Vertex;
     struct Prepared;
     struct Triangle;
-    struct Hit;
-    struct Covered;
+    struct TileTriangles;
+    struct Crossing;
+    class Covered;
+    class PixelRays;
 
     void prepare(const StyledSurface& surface);
     void sortIntoTiles(std::uint32_t surface, std::size_t first);
-    void cover(const Triangle& triangle, const PictureTile& tile, Covered& covered) const;
-    bool isSeen(const Prepared& prepared, const Hit& hit, const DepthRay& ray) const;
-    std::vector<glm::vec4> colorsOf(const PictureTile& tile, std::span<const Hit> hits) const;
-    void shade(const PictureTile& tile, std::span<const Hit> hits, std::span<const std::size_t> which,
-               std::span<glm::vec4> colors) const;
+    std::array<glm::dvec3, 3> windowsOf(const Triangle& triangle) const;
+    std::vector<std::uint32_t> translucentNearestFirst(const PictureTile& part) const;
+    void cover(const PictureTile& part, std::uint32_t number, PixelRays& rays, Covered& covered) const;
+    bool isSeen(const Triangle& triangle, const DepthRay& ray, double depth) const;
+    glm::dvec3 outwardOf(const Triangle& triangle) const;
+    float opacityOf(const Triangle& triangle, const glm::dvec3& weights) const;
+    std::vector<glm::vec4> colorsOf(const PictureTile& part, std::span<const Crossing> crossings,
+                                    PixelRays& rays) const;
+    void shade(std::span<const Triangle> triangles, std::span<const Crossing> crossings,
+               std::span<const std::size_t> which, PixelRays& rays, std::span<glm::vec4> colors) const;
 
     const StyledScene& scene_;
     const SceneRays& rays_;
     TileGrid grid_;
     std::vector<Prepared> surfaces_;
-    std::vector<std::vector<Triangle>> tiles_; ///< empty without surfaces
+    std::vector<TileTriangles> tiles_; ///< empty without surfaces
 };
 
 } // namespace vo

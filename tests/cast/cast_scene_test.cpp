@@ -210,6 +210,48 @@ TEST(castSurfaces, translucentTriangleStandsBetweenSamples)
     }
 }
 
+/// Too many for a tile at once. Each is redder than the one before it.
+TEST(castSurfaces, hundredsOfLayersAreInTheirOrder)
+{
+    constexpr int kLayers = 700;
+    constexpr double kOpacity = 0.004;
+    StyledScene scene = orthoScene();
+    scene.surfaces.push_back(squareOf(-6.0, 0.0f));
+    double red = 0.0, through = 1.0;
+    for (int i = 0; i < kLayers; ++i) {
+        const int layer = i * 331 % kLayers;
+        scene.surfaces.push_back(squareOf(5.0 - 0.01 * layer, static_cast<float>(1.0 - kOpacity)));
+        scene.surfaces.back().emissive = {static_cast<float>(layer) / kLayers, 0.0f, 0.0f};
+        red += through * kOpacity * i / kLayers;
+        through *= 1.0 - kOpacity;
+    }
+    const ScenePicture picture = castOf(scene);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const bool inside = x >= 8 && x < 32 && y >= 8 && y < 32;
+            ASSERT_NEAR(pixelOf(picture, x, y).r, inside ? red : 0.0, 1e-4) << x << " " << y;
+            ASSERT_NEAR(pixelOf(picture, x, y).b, inside ? through : 0.0, 1e-4) << x << " " << y;
+        }
+}
+
+/// Layers that lean forward, the upper halves of which are in front of a square, the lower ones behind it.
+TEST(castSurfaces, layersHideWhatIsBehindThemAlone)
+{
+    StyledScene scene = orthoScene();
+    for (int i = 0; i < 200; ++i) {
+        scene.surfaces.push_back(squareOf(-3.0 - 0.001 * i, 0.9f));
+        scene.surfaces.back().worldFromLocal =
+            glm::rotate(scene.surfaces.back().worldFromLocal, 0.5, {1.0, 0.0, 0.0});
+    }
+    scene.surfaces.push_back(squareOf(-2.0, 0.5f));
+    scene.surfaces.back().emissive = {0.0f, 1.0f, 0.0f};
+    const ScenePicture picture = castOf(scene);
+    EXPECT_NEAR(pixelOf(picture, 20, 12).g, 0.5, 1e-5);
+    EXPECT_NEAR(pixelOf(picture, 20, 12).b, 0.5, 1e-3);
+    EXPECT_NEAR(pixelOf(picture, 20, 28).g, 0.0, 1e-3);
+    EXPECT_NEAR(pixelOf(picture, 20, 28).b, 1.0, 1e-3);
+}
+
 TEST(castSurfaces, opaqueOneHidesWhatIsBehind)
 {
     StyledScene scene = orthoScene();
