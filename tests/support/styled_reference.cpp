@@ -141,17 +141,34 @@ Seen shadedSurface(const StyledSurface& surface, const std::array<std::size_t, 3
     return seen;
 }
 
-void addSurface(const StyledSurface& surface, const Sight& sight, std::vector<Seen>& all)
+/// A surface in the world, for all pixels.
+struct PlacedSurface
 {
-    const bool mirrored = glm::determinant(dmat3(surface.worldFromLocal)) < 0.0;
+    const StyledSurface& surface;
+    std::vector<std::array<dvec3, 3>> triangles;
+    bool mirrored = false;
+
+    explicit PlacedSurface(const StyledSurface& of)
+        : surface(of), mirrored(glm::determinant(dmat3(of.worldFromLocal)) < 0.0)
+    {
+        const auto corner = [&](std::size_t i) {
+            const auto& position = of.positions[static_cast<std::size_t>(of.triangles[i])];
+            return dvec3(of.worldFromLocal * dvec4(dvec3(position), 1.0));
+        };
+        for (std::size_t t = 0; t + 2 < of.triangles.size(); t += 3)
+            triangles.push_back({corner(t), corner(t + 1), corner(t + 2)});
+    }
+};
+
+void addSurface(const PlacedSurface& placed, const Sight& sight, std::vector<Seen>& all)
+{
+    const StyledSurface& surface = placed.surface;
     const std::size_t first = all.size();
     for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3) {
+        const std::array<dvec3, 3>& corners = placed.triangles[t / 3];
         std::array<std::size_t, 3> indices{};
-        std::array<dvec3, 3> corners{};
-        for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i)
             indices[i] = static_cast<std::size_t>(surface.triangles[t + i]);
-            corners[i] = dvec3(surface.worldFromLocal * dvec4(dvec3(surface.positions[indices[i]]), 1.0));
-        }
         const auto hit = hitOf(sight, corners);
         if (!hit || hit->depth < sight.nearest || hit->depth > sight.farthest) continue;
         // An edge that two triangles share is one place.
@@ -162,7 +179,7 @@ void addSurface(const StyledSurface& surface, const Sight& sight, std::vector<Se
         const dvec3 world = sight.world.at(hit->depth);
         if (again || isClipped(surface.clipPlanes, sight.edges.at(hit->depth))) continue;
         const dvec3 outside = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-        const bool fromBehind = (glm::dot(outside, sight.world.perDepth) > 0.0) != mirrored;
+        const bool fromBehind = (glm::dot(outside, sight.world.perDepth) > 0.0) != placed.mirrored;
         if (fromBehind && surface.solid) continue;
         const dvec3 V = -glm::normalize(sight.world.perDepth);
         all.push_back(shadedSurface(surface, indices, *hit, world, V, fromBehind));
@@ -511,10 +528,11 @@ dvec4 skyAt(const SkyColors& sky, const dvec3& direction)
 }
 
 /// All that is seen on a ray, from the nearest.
-std::vector<Seen> seenAlong(const StyledScene& scene, const Sight& sight)
+std::vector<Seen> seenAlong(const StyledScene& scene, std::span<const PlacedSurface> placed,
+                            const Sight& sight)
 {
     std::vector<Seen> surfaces, all;
-    for (const StyledSurface& surface : scene.surfaces)
+    for (const PlacedSurface& surface : placed)
         addSurface(surface, sight, surfaces);
     double opaque = sight.farthest;
     for (const Seen& seen : surfaces)
@@ -536,11 +554,12 @@ std::vector<Seen> seenAlong(const StyledScene& scene, const Sight& sight)
 std::vector<double> styledReference(const StyledScene& scene)
 {
     std::vector<double> picture;
+    const std::vector<PlacedSurface> surfaces(scene.surfaces.begin(), scene.surfaces.end());
     for (int y = 0; y < scene.height; ++y)
         for (int x = 0; x < scene.width; ++x) {
             const Sight sight = sightOfPixel(scene, x, y);
             dvec4 sum(0.0);
-            for (const Seen& seen : seenAlong(scene, sight))
+            for (const Seen& seen : seenAlong(scene, surfaces, sight))
                 sum += (1.0 - sum.a) * seen.opacity * dvec4(seen.color, 1.0);
             sum += (1.0 - sum.a) * skyAt(scene.background, sight.world.perDepth);
             for (int channel = 0; channel < 4; ++channel)
