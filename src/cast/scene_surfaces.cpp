@@ -26,6 +26,7 @@ struct CastSurfaces::Vertex
 struct CastSurfaces::Prepared
 {
     const StyledSurface* styled;
+    std::size_t number; ///< of the scene
     std::vector<Vertex> vertices;
     glm::dmat3 normalMatrix; ///< world from local, for normals
     std::shared_ptr<const Style> shading;
@@ -38,6 +39,7 @@ struct CastSurfaces::Triangle
     std::uint32_t surface;
     bool isOpaque;
     std::array<std::uint32_t, 3> corners;
+    int plane; ///< of SharedPlanes, or below 0
 };
 
 /// The triangles that a tile may have.
@@ -227,10 +229,10 @@ glm::dvec3 normalAt(const StyledSurface& surface, const std::array<std::uint32_t
 } // namespace
 
 CastSurfaces::CastSurfaces(const StyledScene& scene, const SceneRays& rays, const TileGrid& grid)
-    : scene_(scene), rays_(rays), grid_(grid)
+    : scene_(scene), rays_(rays), planes_(scene), grid_(grid)
 {
-    for (const StyledSurface& surface : scene.surfaces)
-        if (isSound(surface)) prepare(surface);
+    for (std::size_t number = 0; number < scene.surfaces.size(); ++number)
+        if (isSound(scene.surfaces[number])) prepare(number);
     if (surfaces_.empty()) return;
     tiles_.resize(grid_.count());
     for (std::uint32_t surface = 0; surface < surfaces_.size(); ++surface)
@@ -240,12 +242,13 @@ CastSurfaces::CastSurfaces(const StyledScene& scene, const SceneRays& rays, cons
 
 CastSurfaces::~CastSurfaces() = default;
 
-void CastSurfaces::prepare(const StyledSurface& surface)
+void CastSurfaces::prepare(std::size_t number)
 {
+    const StyledSurface& surface = scene_.surfaces[number];
     const glm::dmat4 eyeFromLocal = scene_.eyeFromWorld * surface.worldFromLocal;
     const glm::dmat3 linear(surface.worldFromLocal);
-    Prepared prepared{&surface,         {}, glm::transpose(glm::inverse(linear)), shadingOf(surface),
-                      {surface.lights}, {}};
+    Prepared prepared{&surface,           number,           {}, glm::transpose(glm::inverse(linear)),
+                      shadingOf(surface), {surface.lights}, {}};
     const glm::dmat4 worldShift = rays_.worldFromEye() * rays_.shift() * scene_.eyeFromWorld;
     for (const glm::dvec4& plane : surface.clipPlanes)
         prepared.clipPlanes.push_back(plane * worldShift);
@@ -260,7 +263,8 @@ void CastSurfaces::prepare(const StyledSurface& surface)
 void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
 {
     const Prepared& prepared = surfaces_[surface];
-    Triangle triangle{surface, prepared.styled->isOpaque(first), {}};
+    Triangle triangle{
+        surface, prepared.styled->isOpaque(first), {}, planes_.numberOf(prepared.number, first)};
     for (std::size_t i = 0; i < 3; ++i)
         triangle.corners[i] = static_cast<std::uint32_t>(prepared.styled->triangles[first + i]);
     const std::array<glm::dvec3, 3> windows = windowsOf(triangle);
@@ -322,13 +326,16 @@ void CastSurfaces::cover(const PictureTile& part, std::uint32_t number, PixelRay
                             prepared.vertices[c].depth);
     const Edges edges(windows[0], windows[1], windows[2]);
     const bool isWhole = !prepared.styled->solid && prepared.clipPlanes.empty();
+    const SharedPlane* const plane = planes_.find(triangle.plane);
     const RayPart& seen = rays_.depths();
     for (int y = pixels.y; y < pixels.y + pixels.height; ++y)
         for (int x = pixels.x; x < pixels.x + pixels.width; ++x) {
             const glm::dvec3 place(x + 0.5, y + 0.5, 1.0);
             if (!edges.contain(place)) continue;
             const glm::dvec3 weights = edges.weightsAt(place);
-            const double depth = glm::dot(weights, depths);
+            const double depth = plane ? plane->depthAt(2.0 * place.x / scene_.width - 1.0,
+                                                        2.0 * place.y / scene_.height - 1.0)
+                                       : glm::dot(weights, depths);
             const std::size_t pixel = part.pixelAt(x, y);
             if (!(depth >= seen.begin && depth <= seen.end) || covered.isHidden(pixel, depth)) continue;
             if (!isWhole && !isSeen(triangle, rays.of(pixel), depth)) continue;

@@ -2,6 +2,7 @@
 
 #include "cast/picture_tile.h"
 #include "cast/scene_rays.h"
+#include "style/shared_planes.h"
 #include "style/styled_scene.h"
 
 #include <glm/vec4.hpp>
@@ -69,7 +70,7 @@ private:
     class Covered;
     class PixelRays;
 
-    void prepare(const StyledSurface& surface);
+    void prepare(std::size_t number);
     void sortIntoTiles(std::uint32_t surface, std::size_t first);
     std::array<glm::dvec3, 3> windowsOf(const Triangle& triangle) const;
     std::vector<std::uint32_t> translucentNearestFirst(const PictureTile& part) const;
@@ -84,6 +85,7 @@ private:
 
     const StyledScene& scene_;
     const SceneRays& rays_;
+    SharedPlanes planes_;
     TileGrid grid_;
     std::vector<Prepared> surfaces_;
     std::vector<TileTriangles> tiles_; ///< empty without surfaces

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +45,7 @@ struct SceneDrawer::Private
     TranslucentTarget target{resources};
     ProjectionMerger merger{resources};
     std::vector<std::unique_ptr<DrawnVolume>> volumes;
+    std::optional<SharedPlanes> planes; ///< of the scene at hand
     RayHits hits{resources};
     std::vector<std::size_t> walked, ofHits; ///< volumes between hits, the nearest first, and those of them
     std::vector<SliceLayer> mergedLayer;     ///< of all merged projections, or none
@@ -88,7 +90,7 @@ void SceneDrawer::Private::drawOpaque(const StyledScene& scene)
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS);
     gl.DepthMask(GL_TRUE);
-    drawOpaqueSurfaces(scene, resources, arrays);
+    drawOpaqueSurfaces(scene, *planes, resources, arrays);
     stipples.draw(scene);
     gl.DepthMask(GL_FALSE);
 }
@@ -186,7 +188,7 @@ float SceneDrawer::Private::sourceBetween(std::size_t volume) const
 void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
 {
     const GladGLContext& gl = resources.context.gl;
-    const bool hasSurfaces = translucent.prepareHits(scene);
+    const bool hasSurfaces = translucent.prepareHits(scene, *planes);
     if (!target.begin(scene.width, scene.height)) drawOpaque(scene);
     hits.begin(scene.width, scene.height, ofHits.size() + 1);
     constexpr float kClear[4] = {};
@@ -210,7 +212,7 @@ void SceneDrawer::Private::drawTranslucent(const StyledScene& scene, std::size_t
     if (!walked.empty() || !ofHits.empty()) return drawFromHitToHit(scene);
     const LayerLists lists = layerLists(count);
     std::vector<double> borders = stepBorders(lists);
-    translucent.prepare(scene, borders);
+    translucent.prepare(scene, *planes, borders);
     const std::vector<SceneStep> steps = sceneSteps(lists, borders);
     constexpr double kNearest = -std::numeric_limits<double>::infinity();
     if (steps.empty() && !translucent.anyBehind(kNearest)) return;
@@ -240,6 +242,7 @@ void SceneDrawer::Private::draw(const StyledScene& scene)
     }
     const ScopedEnd end(target);
     stipples.prepare(scene);
+    planes.emplace(scene);
     const std::size_t count = prepareVolumes(scene);
 
     gl.Viewport(0, 0, scene.width, scene.height);

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <tuple>
 
 namespace vo {
@@ -19,7 +20,7 @@ namespace vo {
 namespace {
 
 constexpr int kOpaqueValues = 10;      ///< position, normal, colour
-constexpr int kTranslucentValues = 17; ///< those, colour, plane, depths and margin
+constexpr int kTranslucentValues = 21; ///< those, plane, depths and margin, shared plane
 /// Slabs into which the depths of translucent triangles are divided at least: triangles that cross are out of
 /// order within a slab alone.
 constexpr double kLeastSlabs = 512.0;
@@ -34,15 +35,27 @@ glm::vec4 colorAt(const StyledSurface& surface, std::size_t vertex)
     return surface.colors.empty() ? glm::vec4(0.0f) : surface.colors[vertex];
 }
 
-/// The corners of the triangles that nothing shows through.
-std::vector<std::uint32_t> opaqueCorners(const StyledSurface& surface)
+/// The corners of the triangles that nothing shows through, by the number of the plane that they share.
+std::map<int, std::vector<std::uint32_t>> opaqueCorners(const StyledSurface& surface, std::size_t number,
+                                                        const SharedPlanes& planes)
 {
-    std::vector<std::uint32_t> corners;
-    for (std::size_t first = 0; first + 2 < surface.triangles.size(); first += 3)
-        if (surface.isOpaque(first))
-            for (std::size_t i = first; i < first + 3; ++i)
-                corners.push_back(static_cast<std::uint32_t>(surface.triangles[i]));
+    std::map<int, std::vector<std::uint32_t>> corners;
+    for (std::size_t first = 0; first + 2 < surface.triangles.size(); first += 3) {
+        if (!surface.isOpaque(first)) continue;
+        std::vector<std::uint32_t>& ofPlane = corners[planes.numberOf(number, first)];
+        for (std::size_t i = first; i < first + 3; ++i)
+            ofPlane.push_back(static_cast<std::uint32_t>(surface.triangles[i]));
+    }
     return corners;
+}
+
+void useOpaqueProgram(const StyledScene& scene, const StyledSurface& surface, const SharedPlane* shared,
+                      ScenePrograms& programs)
+{
+    const glm::vec4 plane = shared ? windowPlane(shared->plane, scene.clipFromEye) : glm::vec4(0.0f);
+    const SurfaceDepths depths = plane.w > 0.0f ? SurfaceDepths::ofPlane : SurfaceDepths::ofCorners;
+    SceneProgram& program = useSurfaceProgram(scene, surface, SurfacePart::whole, depths, programs);
+    if (plane.w > 0.0f) program.set("windowPlane", plane);
 }
 
 /// As programs compare depths: on the same side of a border here and there.
@@ -87,27 +100,31 @@ double marginOf(const glm::dvec3& normal, const std::array<glm::dvec3, 3>& eye, 
 
 } // namespace
 
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays)
+void drawOpaqueSurfaces(const StyledScene& scene, const SharedPlanes& planes, SceneResources& resources,
+                        SceneArrays& arrays)
 {
     std::vector<float> records;
-    for (const StyledSurface& surface : scene.surfaces) {
+    for (std::size_t number = 0; number < scene.surfaces.size(); ++number) {
+        const StyledSurface& surface = scene.surfaces[number];
         if (!isSound(surface)) continue;
-        const std::vector<std::uint32_t> indices = opaqueCorners(surface);
-        if (indices.empty()) continue;
+        const auto corners = opaqueCorners(surface, number, planes);
+        if (corners.empty()) continue;
         records.clear();
         for (std::size_t vertex = 0; vertex < surface.positions.size(); ++vertex) {
             append(records, surface.positions[vertex]);
             append(records, normalAt(surface, vertex));
             append(records, colorAt(surface, vertex));
         }
-        useSurfaceProgram(scene, surface, SurfacePart::whole, resources.programs);
         arrays.send(records.data(), records.size());
         arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
         arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
         arrays.attribute(kSurfaceColor, 4, 6, kOpaqueValues);
-        arrays.sendIndices(indices.data(), indices.size());
-        resources.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT,
-                                          nullptr);
+        for (const auto& [plane, indices] : corners) {
+            useOpaqueProgram(scene, surface, planes.find(plane), resources.programs);
+            arrays.sendIndices(indices.data(), indices.size());
+            resources.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()),
+                                              GL_UNSIGNED_INT, nullptr);
+        }
     }
 }
 
@@ -129,15 +146,20 @@ void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t numbe
         if (!(size > 0.0) || !std::isfinite(size)) continue;
         normal /= size;
         const double margin = marginOf(normal, eye, *scene_, rays);
-        triangles_.push_back({number, inSinglePrecision(-nearest), inSinglePrecision(-farthest),
-                              -(eye[0].z + eye[1].z + eye[2].z) / 3.0});
+        const SharedPlane* const shared = planes_->find(planes_->numberOf(number, i));
+        const glm::dvec4 plane = shared ? shared->plane : glm::dvec4(normal, -glm::dot(normal, eye[0]));
+        const glm::vec4 window = shared ? windowPlane(shared->plane, scene_->clipFromEye) : glm::vec4(0.0f);
+        triangles_.push_back(
+            {number, inSinglePrecision(-nearest), inSinglePrecision(-farthest),
+             shared ? (shared->nearest + shared->farthest) / 2.0 : -(eye[0].z + eye[1].z + eye[2].z) / 3.0});
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
             append(records, surface.positions[vertex]);
             append(records, normalAt(surface, vertex));
             append(records, colorAt(surface, vertex));
-            append(records, glm::dvec4(normal, -glm::dot(normal, eye[0])));
+            append(records, plane);
             append(records, glm::dvec3(-nearest, -farthest, margin));
+            append(records, window);
         }
     }
 }
@@ -204,9 +226,11 @@ void TranslucentSurfaces::gatherTriangles(std::vector<float>& records)
             gather(surface, number, records);
 }
 
-void TranslucentSurfaces::prepare(const StyledScene& scene, std::vector<double>& depths)
+void TranslucentSurfaces::prepare(const StyledScene& scene, const SharedPlanes& planes,
+                                  std::vector<double>& depths)
 {
     scene_ = &scene;
+    planes_ = &planes;
     next_ = 0;
     parts_.clear();
     std::vector<float> records;
@@ -221,14 +245,15 @@ void TranslucentSurfaces::prepare(const StyledScene& scene, std::vector<double>&
 void TranslucentSurfaces::sendTriangles(const std::vector<float>& records)
 {
     arrays_.send(records.data(), records.size());
-    constexpr std::array<std::array<int, 2>, 5> kLayout{{{3, 0}, {3, 3}, {4, 6}, {4, 10}, {3, 14}}};
+    constexpr std::array<std::array<int, 2>, 6> kLayout{{{3, 0}, {3, 3}, {4, 6}, {4, 10}, {3, 14}, {4, 17}}};
     for (GLuint location = 0; location < kLayout.size(); ++location)
         arrays_.attribute(location, kLayout[location][0], kLayout[location][1], kTranslucentValues);
 }
 
-bool TranslucentSurfaces::prepareHits(const StyledScene& scene)
+bool TranslucentSurfaces::prepareHits(const StyledScene& scene, const SharedPlanes& planes)
 {
     scene_ = &scene;
+    planes_ = &planes;
     next_ = 0;
     parts_.clear();
     std::vector<float> records;
@@ -236,6 +261,12 @@ bool TranslucentSurfaces::prepareHits(const StyledScene& scene)
     if (triangles_.empty()) return false;
     sendTriangles(records);
     return true;
+}
+
+SceneProgram& TranslucentSurfaces::useProgram(std::size_t surface, SurfacePart part) const
+{
+    const SurfaceDepths depths = planes_->anyOf(surface) ? SurfaceDepths::ofPlane : SurfaceDepths::ofCorners;
+    return useSurfaceProgram(*scene_, scene_->surfaces[surface], part, depths, resources_.programs);
 }
 
 void TranslucentSurfaces::findHits(const RayHits& hits, const TranslucentTarget& target, std::size_t source)
@@ -247,8 +278,7 @@ void TranslucentSurfaces::findHits(const RayHits& hits, const TranslucentTarget&
         std::size_t end = first;
         while (end < triangles_.size() && triangles_[end].surface == surface)
             ++end;
-        SceneProgram& program =
-            useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfacePart::hit, resources_.programs);
+        SceneProgram& program = useProgram(surface, SurfacePart::hit);
         hits.bindReached(0, source, program);
         target.bindDepths(1);
         program.set("windowDepths", 1);
@@ -274,9 +304,7 @@ void TranslucentSurfaces::drawSlab()
         while (next_ < parts_.size() && parts_[next_].slab == slab &&
                triangles_[parts_[next_].triangle].surface == surface)
             ++next_;
-        if (surface != used_)
-            program_ = &useSurfaceProgram(*scene_, scene_->surfaces[surface], SurfacePart::slab,
-                                          resources_.programs);
+        if (surface != used_) program_ = &useProgram(surface, SurfacePart::slab);
         used_ = surface;
         program_->set("slab", glm::vec2(finite(nearest), finite(farthest)));
         resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (next_ - first)),

@@ -4,6 +4,7 @@
 #include "draw/scene_resources.h"
 #include "draw/surface_program.h"
 #include "draw/translucent_target.h"
+#include "style/shared_planes.h"
 #include "style/styled_scene.h"
 
 #include <span>
@@ -12,7 +13,8 @@
 namespace vo {
 
 /// Draws the opaque ones, with the depth test that is set.
-void drawOpaqueSurfaces(const StyledScene& scene, SceneResources& resources, SceneArrays& arrays);
+void drawOpaqueSurfaces(const StyledScene& scene, const SharedPlanes& planes, SceneResources& resources,
+                        SceneArrays& arrays);
 
 /// The translucent surfaces of a picture, drawn slab by slab between depths. In a slab the triangle whose
 /// middle is farthest comes first.
@@ -25,10 +27,10 @@ public:
     }
 
     /// `depths`: of all that is to be drawn in between, rising; those of further slabs are put among them.
-    /// Borrows the scene until it is drawn.
-    void prepare(const StyledScene& scene, std::vector<double>& depths);
+    /// Borrows the scene and its planes until it is drawn.
+    void prepare(const StyledScene& scene, const SharedPlanes& planes, std::vector<double>& depths);
     /// As prepare(), for findHits(). False: there are none.
-    bool prepareHits(const StyledScene& scene);
+    bool prepareHits(const StyledScene& scene, const SharedPlanes& planes);
     /// Draws the next hit of each pixel, into what RayHits have bound.
     void findHits(const RayHits& hits, const TranslucentTarget& target, std::size_t source);
     /// Whether anything that is not drawn yet is behind a depth.
@@ -57,10 +59,12 @@ private:
     void sendTriangles(const std::vector<float>& records);
     void sendParts();
     void drawSlab();
+    SceneProgram& useProgram(std::size_t surface, SurfacePart part) const;
 
     SceneResources& resources_;
     SceneArrays arrays_;
     const StyledScene* scene_ = nullptr;
+    const SharedPlanes* planes_ = nullptr;
     std::vector<Triangle> triangles_;
     std::vector<float> borders_; ///< slab i lies before border i and behind border i + 1
     std::vector<Part> parts_;

@@ -8,6 +8,7 @@
 
 #include <glm/matrix.hpp>
 
+#include <cmath>
 #include <vector>
 
 namespace vo {
@@ -28,6 +29,10 @@ layout(location = 3) in vec4 plane;
 layout(location = 4) in vec3 depths;
 flat out vec4 eyePlane;
 flat out vec2 eyeDepths;
+#ifdef PLANE_DEPTHS
+layout(location = 5) in vec4 windowPlane;
+flat out vec4 depthPlane;
+#endif
 #endif
 #ifdef SLICED
 uniform vec4 depthRow;
@@ -44,6 +49,9 @@ void main()
 #ifdef KNOWS_DEPTH
     eyePlane = plane;
     eyeDepths = depths.xy;
+#ifdef PLANE_DEPTHS
+    depthPlane = windowPlane;
+#endif
 #endif
 #ifdef SLICED
     float depth = dot(depthRow, vec4(position, 1.0));
@@ -65,10 +73,31 @@ uniform vec3 diffuse, emissive, specular;
 uniform float ambientIntensity, exponent, opacity;
 layout(location = 0) out vec4 fragment;
 
+uniform vec2 pictureSize;
+#ifdef PLANE_DEPTHS
+#ifdef KNOWS_DEPTH
+flat in vec4 depthPlane;
+#else
+uniform vec4 windowPlane;
+#define depthPlane windowPlane
+#endif
+float windowDepth()
+{
+    if (depthPlane.w == 0.0) return gl_FragCoord.z;
+    vec2 device = 2.0 * gl_FragCoord.xy / pictureSize - 1.0;
+    float depth = clamp(depthPlane.x * device.x + depthPlane.y * device.y + depthPlane.z, 0.0, 1.0);
+    return gl_DepthRange.near + gl_DepthRange.diff * depth;
+}
+#else
+float windowDepth()
+{
+    return gl_FragCoord.z;
+}
+#endif
+
 #ifdef KNOWS_DEPTH
 flat in vec4 eyePlane;
 flat in vec2 eyeDepths;
-uniform vec2 pictureSize;
 uniform mat3 rayOrigins, rayDirections;
 
 float eyeDepth()
@@ -78,6 +107,15 @@ float eyeDepth()
     float depth = toPlane / dot(eyePlane.xyz, rayDirections * device);
     return depth >= eyeDepths.x ? min(depth, eyeDepths.y) : eyeDepths.x;
 }
+#endif
+
+// What is opaque hides what is translucent at its depth, however that is rounded.
+#if defined(KNOWS_DEPTH) && defined(PLANE_DEPTHS)
+const float kDepthStep = 1.2e-7;
+#elif defined(KNOWS_DEPTH)
+const float kDepthStep = 3e-8; // half of one of 24 bits
+#else
+const float kDepthStep = 0.0;
 #endif
 
 #ifdef SLICED
@@ -95,14 +133,13 @@ uniform int firstTriangle;
 layout(location = 1) out vec4 hit;
 
 // Behind the last one: farther, or at one depth a later triangle.
-bool isBehindLast(float triangle)
+bool isBehindLast(float depth, float triangle)
 {
-    const float kHalfStep = 3e-8; // of depths of 24 bits
-    if (gl_FragCoord.z + kHalfStep >= texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r) return false;
+    if (depth + kDepthStep >= texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r) return false;
     vec4 last = lastReached();
     if (!isNextWanted(last)) return false;
     if (!isOwn(last)) return true;
-    return gl_FragCoord.z > last.z || (gl_FragCoord.z == last.z && triangle > last.w);
+    return depth > last.z || (depth == last.z && triangle > last.w);
 }
 #endif
 
@@ -122,10 +159,12 @@ void main()
     if (!isInSlab()) discard;
 #endif
 #ifdef HIT
-    float triangle = float(firstTriangle + gl_PrimitiveID);
-    if (!isBehindLast(triangle)) discard;
-    hit = vec4(eyeDepth(), 0.0, gl_FragCoord.z, triangle);
-    gl_FragDepth = gl_FragCoord.z;
+    float triangle = float(firstTriangle + gl_PrimitiveID), depth = windowDepth();
+    if (!isBehindLast(depth, triangle)) discard;
+    hit = vec4(eyeDepth(), 0.0, depth, triangle);
+    gl_FragDepth = depth;
+#elif defined(PLANE_DEPTHS)
+    gl_FragDepth = windowDepth() + kDepthStep;
 #endif
     bool outside = gl_FrontFacing != mirrored;
     if (solid && !outside) discard;
@@ -184,13 +223,22 @@ void setView(const StyledScene& scene, const StyledSurface& surface, SceneProgra
 
 } // namespace
 
+glm::vec4 windowPlane(const glm::dvec4& eyePlane, const glm::dmat4& clipFromEye)
+{
+    const glm::dvec4 clip = eyePlane * glm::inverse(clipFromEye);
+    const glm::vec4 plane(glm::dvec3(-clip.x, -clip.y, clip.z - clip.w) / (2.0 * clip.z), 1.0);
+    const auto isUsable = [](float value) { return std::isfinite(value) && std::abs(value) < 1e6f; };
+    return isUsable(plane.x) && isUsable(plane.y) && isUsable(plane.z) ? plane : glm::vec4(0.0f);
+}
+
 SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,
-                                ScenePrograms& programs)
+                                SurfaceDepths depths, ScenePrograms& programs)
 {
     std::string definitions = "#version 330 core\n";
     if (part != SurfacePart::whole) definitions += "#define KNOWS_DEPTH\n";
     if (part == SurfacePart::slab) definitions += "#define SLICED\n";
     if (part == SurfacePart::hit) definitions += "#define HIT\n";
+    if (depths == SurfaceDepths::ofPlane) definitions += "#define PLANE_DEPTHS\n";
     const std::string vertexText = definitions + kVertexShader;
     if (!surface.colors.empty()) definitions += "#define COLORS\n";
     SceneProgram& program =

@@ -140,6 +140,27 @@ std::vector<StyledScene> allWays(const StyledScene& scene)
     return {scene, moved(scene, 0.0), moved(scene, 0.7), moved(scene, -1.9)};
 }
 
+/// A square of one colour, lying in a plane that is turned.
+StyledSurface square(const glm::vec3& color, float transparency, double half, const glm::dmat4& turn)
+{
+    StyledSurface surface = pane(0.0, 0.0, half);
+    surface.worldFromLocal = turn;
+    surface.emissive = color;
+    surface.transparency = transparency;
+    return surface;
+}
+
+/// A pixel that has two faces of one plane.
+glm::vec4 togetherOf(const StyledSurface& first, const StyledSurface& second)
+{
+    const auto seen = [](const StyledSurface& face) {
+        return glm::vec4(face.emissive, 1.0f) * (1.0f - face.transparency);
+    };
+    if (first.transparency <= 0.0f) return seen(first);
+    if (second.transparency <= 0.0f) return seen(second);
+    return seen(first) + seen(second) * first.transparency;
+}
+
 class SceneEdges : public vo::test::FloatScreen<kPixels>
 {
 protected:
@@ -151,16 +172,21 @@ protected:
         return context_->readFloats();
     }
 
-    /// Pictures of a scene: with OpenGL, with slices, without OpenGL, and what is expected of all.
-    std::vector<std::pair<std::string, std::vector<float>>> pictures(const StyledScene& scene)
+    /// Pictures of a scene: with OpenGL, with slices, without OpenGL.
+    std::vector<std::pair<std::string, std::vector<float>>> picturesOfEngines(const StyledScene& scene)
     {
         ScenePicture cast;
         castScene(scene, 1, cast);
+        return {{"OpenGL", drawn(scene)}, {"slices", drawn(sliced(scene))}, {"cast", cast.rgba}};
+    }
+
+    /// These, and what is expected of all.
+    std::vector<std::pair<std::string, std::vector<float>>> pictures(const StyledScene& scene)
+    {
+        auto all = picturesOfEngines(scene);
         const std::vector<double> reference = styledReference(scene);
-        return {{"OpenGL", drawn(scene)},
-                {"slices", drawn(sliced(scene))},
-                {"cast", cast.rgba},
-                {"reference", {reference.begin(), reference.end()}}};
+        all.push_back({"reference", {reference.begin(), reference.end()}});
+        return all;
     }
 
     /// Each pixel has an opacity: `expected(x, y)`.
@@ -172,6 +198,27 @@ protected:
                 for (int x = 0; x < kPixels; ++x)
                     ASSERT_NEAR(pixelAt(picture, x, y)[3], expected(x, y), tolerance)
                         << what << ", " << engine << ": " << x << ", " << y;
+    }
+
+    /// Where two faces of one plane meet, they have one colour, and each its own elsewhere.
+    void expectWhole(StyledScene scene, const StyledSurface& first, const StyledSurface& second)
+    {
+        const glm::vec4 both = togetherOf(first, second);
+        scene.surfaces = {first};
+        const auto one = picturesOfEngines(scene);
+        scene.surfaces = {second};
+        const auto two = picturesOfEngines(scene);
+        scene.surfaces = {first, second};
+        const auto drawn = picturesOfEngines(scene);
+        for (std::size_t engine = 0; engine < drawn.size(); ++engine)
+            for (std::size_t i = 0; i < drawn[engine].second.size(); ++i) {
+                const std::size_t alpha = i | 3;
+                const float a = one[engine].second[i], b = two[engine].second[i];
+                const bool meet = one[engine].second[alpha] > 0.0f && two[engine].second[alpha] > 0.0f;
+                ASSERT_NEAR(drawn[engine].second[i], meet ? both[static_cast<int>(i % 4)] : a + b, 1e-4)
+                    << drawn[engine].first << ": number " << i << ", " << first.transparency << " before "
+                    << second.transparency << ", " << scene.volumes.size() << " volumes";
+            }
     }
 
     SceneDrawer drawer_;
@@ -323,6 +370,28 @@ TEST_P(SceneEdges, trianglesWithOpaqueCornersHideWhatIsBehindAlsoInProjections)
             for (std::size_t c = 0; c < 4; ++c)
                 EXPECT_NEAR(pixelAt(picture, 11, 8)[c], pixelAt(expected, 11, 8)[c], 1e-4) << engine;
     }
+}
+
+/// Two faces of one plane that are turned the same way, in each order.
+TEST_P(SceneEdges, facesOfOnePlaneDoNotMix)
+{
+    const glm::dmat4 straight(1.0), turned = glm::rotate(straight, 0.7, glm::dvec3(0.6, 0.8, 0.0)),
+                                    steep = glm::rotate(straight, 1.2, glm::dvec3(0.3, 0.8, 0.52));
+    for (const glm::dmat4& turn : {straight, turned, steep})
+        for (const bool perspective : {false, true})
+            for (const auto& [large, small] :
+                 {std::pair(0.0f, 0.0f), {0.0f, 0.5f}, {0.6f, 0.0f}, {0.6f, 0.5f}}) {
+                const StyledSurface a = square({1, 0, 0}, large, 0.4, turn),
+                                    b = square({0, 1, 0}, small, 0.34, turn);
+                StyledScene scene = sceneOf(0.3, perspective);
+                expectWhole(scene, a, b);
+                expectWhole(scene, b, a);
+                // Not seen, but rays go from hit to hit, or slices lie between.
+                scene.volumes = {cube(0.3, 0.0)};
+                expectWhole(scene, b, a);
+                scene.volumes[0].tetras = tetrasOfCube(0.3);
+                expectWhole(scene, b, a);
+            }
 }
 
 } // namespace
