@@ -142,14 +142,16 @@ private:
         constexpr double kFar = std::numeric_limits<double>::infinity();
         const double surface = fragments_.empty() ? kFar : fragments_.front().depth;
         const auto nearest = nearestStream();
-        if (nearest == active_.end() || surface < depthOf(**nearest)) {
+        if (nearest == active_.end() || isBefore(surface, depthOf(**nearest), roundingOf(**nearest))) {
             if (fragments_.empty()) return false;
             pixel.add(fragments_.front().color, surface);
             fragments_ = fragments_.subspan(1);
             return true;
         }
         Stream& stream = **nearest;
-        addUntil(stream, std::min(surface, limitOf(nearest)), pixel);
+        const double limit = std::min(surface, limitOf(nearest));
+        const double early = std::isfinite(limit) ? roundingOf(stream) * std::abs(limit) : 0.0;
+        addUntil(stream, limit - early, pixel);
         if (stream.run.atEnd() && !pixel.done() && !stream.ray.next(stream.run)) active_.erase(nearest);
         return true;
     }
@@ -159,11 +161,25 @@ private:
         return stream.run.depth[static_cast<std::size_t>(stream.run.next)];
     }
 
+    /// Of depths at which faces and surfaces of values are found in different ways, a part of them. Samples
+    /// are on planes.
+    static double roundingOf(const Stream& stream)
+    {
+        const StyledVolume& volume = *stream.volume->styled;
+        return volume.projection || volume.surfaces ? 2e-6 : 0.0;
+    }
+
+    static bool isBefore(double depth, double other, double rounding)
+    {
+        return depth < other - rounding * std::abs(other);
+    }
+
     /// The stream whose next fragment is nearest: at equal depths the one that the scene has first.
     std::vector<Stream*>::iterator nearestStream()
     {
-        return std::min_element(active_.begin(), active_.end(),
-                                [](const Stream* a, const Stream* b) { return depthOf(*a) < depthOf(*b); });
+        return std::min_element(active_.begin(), active_.end(), [](const Stream* a, const Stream* b) {
+            return isBefore(depthOf(*a), depthOf(*b), std::min(roundingOf(*a), roundingOf(*b)));
+        });
     }
 
     /// The depth of the nearest fragment of the other streams.

@@ -394,4 +394,28 @@ TEST_P(SceneEdges, facesOfOnePlaneDoNotMix)
             }
 }
 
+/// Of one depth the projection is in front, and hides the pane.
+TEST_P(SceneEdges, panesOnTheFrontOfAProjectionAreBehindIt)
+{
+    for (const double edge : {5.0, 0.3})
+        for (const bool perspective : {false, true})
+            for (const double half : {0.9, 0.2}) {
+                StyledScene scene = sceneOf(edge, perspective);
+                scene.volumes = {cube(edge, kDense)};
+                scene.volumes[0].projection = RayProjection{};
+                const auto alone = picturesOfEngines(scene);
+                scene.surfaces = {pane(0.5 * edge, 0.0, half * edge)};
+                scene.surfaces[0].transparency = 0.5f;
+                for (const StyledScene& way : allWays(scene)) {
+                    const auto drawn = picturesOfEngines(way);
+                    for (std::size_t engine = 0; engine < drawn.size(); ++engine)
+                        for (std::size_t i = 0; i < drawn[engine].second.size(); i += 4)
+                            if (alone[engine].second[i + 3] > 0.0f) {
+                                ASSERT_NEAR(drawn[engine].second[i], kDense, 2e-3)
+                                    << drawn[engine].first << ": number " << i << ", edge " << edge;
+                            }
+                }
+            }
+}
+
 } // namespace
