@@ -5,6 +5,7 @@
 #include "style/stipple_points.h"
 #include "style/styled_voxels.h"
 #include "style/tetra_corners.h"
+#include "style/uncut_planes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -12,6 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace vo {
@@ -385,8 +388,9 @@ private:
         const double u = glm::dot(ac, turn) / against, v = -glm::dot(ab, turn) / against;
         if (u < 0 || v < 0 || u + v > 1) return;
         const glm::dvec3 world = world_.at(depth);
-        for (const glm::dvec4& plane : surface.clipPlanes)
-            if (glm::dot(plane, glm::dvec4(world, 1.0)) < 0) return;
+        const std::uint32_t uncut = uncutPlanes(surface, first);
+        for (std::size_t i = 0; i < surface.clipPlanes.size(); ++i)
+            if (!isUncut(uncut, i) && glm::dot(surface.clipPlanes[i], glm::dvec4(world, 1.0)) < 0) return;
         if (surface.isOpaque(first)) opaque_ = std::min(opaque_, depth);
         if (depth >= front_) return;
         front_ = depth;

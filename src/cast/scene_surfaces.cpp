@@ -2,6 +2,7 @@
 
 #include "style/styled_voxels.h"
 #include "style/styles.h"
+#include "style/uncut_planes.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -39,7 +40,8 @@ struct CastSurfaces::Triangle
     std::uint32_t surface;
     bool isOpaque;
     std::array<std::uint32_t, 3> corners;
-    int plane; ///< of SharedPlanes, or below 0
+    int plane;           ///< of SharedPlanes, or below 0
+    std::uint32_t uncut; ///< uncutPlanes()
 };
 
 /// The triangles that a tile may have.
@@ -263,8 +265,11 @@ void CastSurfaces::prepare(std::size_t number)
 void CastSurfaces::sortIntoTiles(std::uint32_t surface, std::size_t first)
 {
     const Prepared& prepared = surfaces_[surface];
-    Triangle triangle{
-        surface, prepared.styled->isOpaque(first), {}, planes_.numberOf(prepared.number, first)};
+    Triangle triangle{surface,
+                      prepared.styled->isOpaque(first),
+                      {},
+                      planes_.numberOf(prepared.number, first),
+                      uncutPlanes(*prepared.styled, first)};
     for (std::size_t i = 0; i < 3; ++i)
         triangle.corners[i] = static_cast<std::uint32_t>(prepared.styled->triangles[first + i]);
     const std::array<glm::dvec3, 3> windows = windowsOf(triangle);
@@ -368,11 +373,9 @@ bool CastSurfaces::isSeen(const Triangle& triangle, const DepthRay& ray, double 
     const Prepared& prepared = surfaces_[triangle.surface];
     if (prepared.styled->solid && !(glm::dot(outwardOf(triangle), ray.direction) < 0.0)) return false;
     const glm::dvec4 position(ray.at(depth), 1.0);
-    // A face that lies in a plane is whole, however places on rays are rounded.
-    const double rounding = 1e-12 * (glm::length(ray.origin) + glm::length(glm::dvec3(position)));
-    return std::all_of(prepared.clipPlanes.begin(), prepared.clipPlanes.end(), [&](const glm::dvec4& plane) {
-        return glm::dot(plane, position) >= -rounding * glm::length(glm::dvec3(plane));
-    });
+    for (std::size_t i = 0; i < prepared.clipPlanes.size(); ++i)
+        if (!isUncut(triangle.uncut, i) && !(glm::dot(prepared.clipPlanes[i], position) >= 0.0)) return false;
+    return true;
 }
 
 void CastSurfaces::draw(const PictureTile& part, SurfaceTile& result) const

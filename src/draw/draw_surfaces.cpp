@@ -3,12 +3,14 @@
 #include "draw/scene_view_point.h"
 #include "draw/surface_program.h"
 #include "style/styled_voxels.h"
+#include "style/uncut_planes.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstdint>
 #include <iterator>
 #include <limits>
@@ -35,26 +37,36 @@ glm::vec4 colorAt(const StyledSurface& surface, std::size_t vertex)
     return surface.colors.empty() ? glm::vec4(0.0f) : surface.colors[vertex];
 }
 
-/// The corners of the triangles that nothing shows through, by the number of the plane that they share.
-std::map<int, std::vector<std::uint32_t>> opaqueCorners(const StyledSurface& surface, std::size_t number,
-                                                        const SharedPlanes& planes)
+/// Triangles that are drawn at once.
+struct SurfaceGroup
 {
-    std::map<int, std::vector<std::uint32_t>> corners;
+    int plane;           ///< that they share, by number
+    std::uint32_t uncut; ///< uncutPlanes()
+
+    auto operator<=>(const SurfaceGroup&) const = default;
+};
+
+/// The corners of the triangles that nothing shows through.
+std::map<SurfaceGroup, std::vector<std::uint32_t>>
+opaqueCorners(const StyledSurface& surface, std::size_t number, const SharedPlanes& planes)
+{
+    std::map<SurfaceGroup, std::vector<std::uint32_t>> corners;
     for (std::size_t first = 0; first + 2 < surface.triangles.size(); first += 3) {
         if (!surface.isOpaque(first)) continue;
-        std::vector<std::uint32_t>& ofPlane = corners[planes.numberOf(number, first)];
+        const SurfaceGroup group{planes.numberOf(number, first), uncutPlanes(surface, first)};
+        std::vector<std::uint32_t>& ofGroup = corners[group];
         for (std::size_t i = first; i < first + 3; ++i)
-            ofPlane.push_back(static_cast<std::uint32_t>(surface.triangles[i]));
+            ofGroup.push_back(static_cast<std::uint32_t>(surface.triangles[i]));
     }
     return corners;
 }
 
 void useOpaqueProgram(const StyledScene& scene, const StyledSurface& surface, const SharedPlane* shared,
-                      ScenePrograms& programs)
+                      std::uint32_t uncut, ScenePrograms& programs)
 {
     const glm::vec4 plane = shared ? windowPlane(shared->plane, scene.clipFromEye) : glm::vec4(0.0f);
     const SurfaceDepths depths = plane.w > 0.0f ? SurfaceDepths::ofPlane : SurfaceDepths::ofCorners;
-    SceneProgram& program = useSurfaceProgram(scene, surface, SurfacePart::whole, depths, programs);
+    SceneProgram& program = useSurfaceProgram(scene, surface, {SurfacePart::whole, depths, uncut}, programs);
     if (plane.w > 0.0f) program.set("windowPlane", plane);
 }
 
@@ -119,8 +131,8 @@ void drawOpaqueSurfaces(const StyledScene& scene, const SharedPlanes& planes, Sc
         arrays.attribute(kSurfacePosition, 3, 0, kOpaqueValues);
         arrays.attribute(kSurfaceNormal, 3, 3, kOpaqueValues);
         arrays.attribute(kSurfaceColor, 4, 6, kOpaqueValues);
-        for (const auto& [plane, indices] : corners) {
-            useOpaqueProgram(scene, surface, planes.find(plane), resources.programs);
+        for (const auto& [group, indices] : corners) {
+            useOpaqueProgram(scene, surface, planes.find(group.plane), group.uncut, resources.programs);
             arrays.sendIndices(indices.data(), indices.size());
             resources.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()),
                                               GL_UNSIGNED_INT, nullptr);
@@ -151,7 +163,8 @@ void TranslucentSurfaces::gather(const StyledSurface& surface, std::size_t numbe
         const glm::vec4 window = shared ? windowPlane(shared->plane, scene_->clipFromEye) : glm::vec4(0.0f);
         triangles_.push_back(
             {number, inSinglePrecision(-nearest), inSinglePrecision(-farthest),
-             shared ? (shared->nearest + shared->farthest) / 2.0 : -(eye[0].z + eye[1].z + eye[2].z) / 3.0});
+             shared ? (shared->nearest + shared->farthest) / 2.0 : -(eye[0].z + eye[1].z + eye[2].z) / 3.0,
+             uncutPlanes(surface, i)});
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const auto vertex = static_cast<std::size_t>(surface.triangles[i + corner]);
             append(records, surface.positions[vertex]);
@@ -193,7 +206,7 @@ void TranslucentSurfaces::gatherParts()
 {
     parts_.clear();
     for (std::size_t triangle = 0; triangle < triangles_.size(); ++triangle) {
-        const auto& [surface, nearest, farthest, middle] = triangles_[triangle];
+        const float nearest = triangles_[triangle].nearest, farthest = triangles_[triangle].farthest;
         // The last border that is farther begins the slab.
         auto slab = static_cast<std::size_t>(std::ranges::lower_bound(borders_, farthest, std::greater<>()) -
                                              borders_.begin() - 1);
@@ -263,10 +276,12 @@ bool TranslucentSurfaces::prepareHits(const StyledScene& scene, const SharedPlan
     return true;
 }
 
-SceneProgram& TranslucentSurfaces::useProgram(std::size_t surface, SurfacePart part) const
+SceneProgram& TranslucentSurfaces::useProgram(const Triangle& triangle, SurfacePart part) const
 {
-    const SurfaceDepths depths = planes_->anyOf(surface) ? SurfaceDepths::ofPlane : SurfaceDepths::ofCorners;
-    return useSurfaceProgram(*scene_, scene_->surfaces[surface], part, depths, resources_.programs);
+    const SurfaceDepths depths =
+        planes_->anyOf(triangle.surface) ? SurfaceDepths::ofPlane : SurfaceDepths::ofCorners;
+    return useSurfaceProgram(*scene_, scene_->surfaces[triangle.surface], {part, depths, triangle.uncut},
+                             resources_.programs);
 }
 
 void TranslucentSurfaces::findHits(const RayHits& hits, const TranslucentTarget& target, std::size_t source)
@@ -274,11 +289,10 @@ void TranslucentSurfaces::findHits(const RayHits& hits, const TranslucentTarget&
     const GladGLContext& gl = resources_.context.gl;
     arrays_.bind();
     for (std::size_t first = 0; first < triangles_.size();) {
-        const std::size_t surface = triangles_[first].surface;
         std::size_t end = first;
-        while (end < triangles_.size() && triangles_[end].surface == surface)
+        while (end < triangles_.size() && triangles_[end].isDrawnWith(triangles_[first]))
             ++end;
-        SceneProgram& program = useProgram(surface, SurfacePart::hit);
+        SceneProgram& program = useProgram(triangles_[first], SurfacePart::hit);
         hits.bindReached(0, source, program);
         target.bindDepths(1);
         program.set("windowDepths", 1);
@@ -300,12 +314,13 @@ void TranslucentSurfaces::drawSlab()
     const float farthest = borders_[slab], nearest = borders_[slab + 1];
     const auto finite = [](float depth) { return std::clamp(depth, -1e30f, 1e30f); };
     while (next_ < parts_.size() && parts_[next_].slab == slab) {
-        const std::size_t first = next_, surface = triangles_[parts_[first].triangle].surface;
+        const std::size_t first = next_;
+        const Triangle& triangle = triangles_[parts_[first].triangle];
         while (next_ < parts_.size() && parts_[next_].slab == slab &&
-               triangles_[parts_[next_].triangle].surface == surface)
+               triangles_[parts_[next_].triangle].isDrawnWith(triangle))
             ++next_;
-        if (surface != used_) program_ = &useProgram(surface, SurfacePart::slab);
-        used_ = surface;
+        if (!used_ || !triangle.isDrawnWith(*used_)) program_ = &useProgram(triangle, SurfacePart::slab);
+        used_ = &triangle;
         program_->set("slab", glm::vec2(finite(nearest), finite(farthest)));
         resources_.context.gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (next_ - first)),
                                            GL_UNSIGNED_INT,
@@ -318,7 +333,7 @@ bool TranslucentSurfaces::drawBehind(double depth)
     if (!anyBehind(depth)) return false;
     const GladGLContext& gl = resources_.context.gl;
     arrays_.bind();
-    used_ = scene_->surfaces.size();
+    used_ = nullptr;
     gl.Enable(GL_CLIP_DISTANCE0);
     gl.Enable(GL_CLIP_DISTANCE1);
     while (anyBehind(depth))

@@ -7,6 +7,8 @@
 #include "style/shared_planes.h"
 #include "style/styled_scene.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -45,6 +47,12 @@ private:
         std::size_t surface;
         float nearest, farthest;
         double middle;
+        std::uint32_t uncut; ///< uncutPlanes()
+
+        bool isDrawnWith(const Triangle& other) const
+        {
+            return surface == other.surface && uncut == other.uncut;
+        }
     };
     /// A triangle in a slab.
     struct Part
@@ -59,7 +67,7 @@ private:
     void sendTriangles(const std::vector<float>& records);
     void sendParts();
     void drawSlab();
-    SceneProgram& useProgram(std::size_t surface, SurfacePart part) const;
+    SceneProgram& useProgram(const Triangle& triangle, SurfacePart part) const;
 
     SceneResources& resources_;
     SceneArrays arrays_;
@@ -70,7 +78,7 @@ private:
     std::vector<Part> parts_;
     std::size_t next_ = 0; ///< of parts_
     SceneProgram* program_ = nullptr;
-    std::size_t used_ = 0; ///< the surface whose program is in use
+    const Triangle* used_ = nullptr; ///< whose program is in use
 };
 
 } // namespace vo

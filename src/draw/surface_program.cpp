@@ -5,6 +5,7 @@
 #include "draw/scene_view_point.h"
 #include "style/power.h"
 #include "style/shine.h"
+#include "style/uncut_planes.h"
 
 #include <glm/matrix.hpp>
 
@@ -198,12 +199,14 @@ void setMaterial(const StyledSurface& surface, SceneProgram& program)
     program.set(surface.lights);
 }
 
-void setClipPlanes(const StyledScene& scene, const StyledSurface& surface, SceneProgram& program)
+/// Planes that do not cut what is drawn have no sides.
+void setClipPlanes(const StyledScene& scene, const StyledSurface& surface, std::uint32_t uncut,
+                   SceneProgram& program)
 {
     std::vector<glm::vec4> planes;
     const glm::dmat4 shift = glm::inverse(scene.eyeFromWorld) * edgeShift(scene) * scene.eyeFromWorld;
-    for (const glm::dvec4& plane : surface.clipPlanes)
-        planes.emplace_back(plane * shift);
+    for (std::size_t i = 0; i < surface.clipPlanes.size(); ++i)
+        planes.emplace_back(isUncut(uncut, i) ? glm::dvec4(0.0) : surface.clipPlanes[i] * shift);
     program.set("clipPlanes", std::span<const glm::vec4>(planes));
 }
 
@@ -231,14 +234,15 @@ glm::vec4 windowPlane(const glm::dvec4& eyePlane, const glm::dmat4& clipFromEye)
     return isUsable(plane.x) && isUsable(plane.y) && isUsable(plane.z) ? plane : glm::vec4(0.0f);
 }
 
-SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,
-                                SurfaceDepths depths, ScenePrograms& programs)
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface,
+                                const SurfaceRequest& request, ScenePrograms& programs)
 {
+    const SurfacePart part = request.part;
     std::string definitions = "#version 330 core\n";
     if (part != SurfacePart::whole) definitions += "#define KNOWS_DEPTH\n";
     if (part == SurfacePart::slab) definitions += "#define SLICED\n";
     if (part == SurfacePart::hit) definitions += "#define HIT\n";
-    if (depths == SurfaceDepths::ofPlane) definitions += "#define PLANE_DEPTHS\n";
+    if (request.depths == SurfaceDepths::ofPlane) definitions += "#define PLANE_DEPTHS\n";
     const std::string vertexText = definitions + kVertexShader;
     if (!surface.colors.empty()) definitions += "#define COLORS\n";
     SceneProgram& program =
@@ -249,7 +253,7 @@ SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& s
     program.use();
     setMaterial(surface, program);
     setView(scene, surface, program);
-    setClipPlanes(scene, surface, program);
+    setClipPlanes(scene, surface, request.uncut, program);
     return program;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/vec4.hpp>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace vo {
 
@@ -32,9 +33,16 @@ enum class SurfacePart { whole, slab, hit };
 /// so that they have one depth. Of whole surfaces the uniform `windowPlane` has it.
 enum class SurfaceDepths { ofCorners, ofPlane };
 
+struct SurfaceRequest
+{
+    SurfacePart part = SurfacePart::whole;
+    SurfaceDepths depths = SurfaceDepths::ofCorners;
+    std::uint32_t uncut = 0; ///< uncutPlanes() of what is drawn
+};
+
 /// A surface's program, in use and with all that it knows of the scene.
-SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface, SurfacePart part,
-                                SurfaceDepths depths, ScenePrograms& programs);
+SceneProgram& useSurfaceProgram(const StyledScene& scene, const StyledSurface& surface,
+                                const SurfaceRequest& request, ScenePrograms& programs);
 
 /// Of a plane of eye space: (a, b, c, 1), the window's depth being a * x + b * y + c in normalised device
 /// coordinates and from 0 to 1; 0 for a plane that is seen from its edge.

@@ -95,6 +95,26 @@ TEST(pickScene, clipPlanesAreMetWhereTheyCut)
     expectNear(glm::dvec3(hit.normal), {0.0, 0.0, 1.0});
 }
 
+TEST(pickScene, facesThatLieInClipPlanesAreMet)
+{
+    vo::StyledSurface face;
+    face.positions = {{-5, -5, 0}, {5, -5, 0}, {0, 5, 0}};
+    face.triangles = {0, 1, 2};
+    face.solid = false;
+    for (const double angle : {0.0, 0.3, -0.7, 1.1}) {
+        face.worldFromLocal = glm::rotate(glm::dmat4(1.0), angle, {0.6, 0.8, 0.0});
+        for (const float side : {1.0f, -1.0f}) {
+            StyledScene scene = orthoScene();
+            face.clipPlanes = {glm::dvec4(glm::vec4(face.worldFromLocal[2]) * side)};
+            scene.surfaces = {face};
+            for (const double x : {-0.7, 0.1, 0.9})
+                EXPECT_EQ(pickAt(scene, x, 0.5, -1.0f).kind, SceneHit::Kind::surface) << angle << ", " << x;
+            scene.surfaces[0].clipPlanes[0].w = -1e-3;
+            EXPECT_EQ(pickAt(scene, 0.5, 0.5, -1.0f).kind, SceneHit::Kind::nothing) << angle;
+        }
+    }
+}
+
 TEST(pickScene, solidSurfacesAreMetFromOutsideAlone)
 {
     // Two triangles; the nearer one looks away from the eye.

@@ -418,4 +418,39 @@ TEST_P(SceneEdges, panesOnTheFrontOfAProjectionAreBehindIt)
             }
 }
 
+/// A clip plane, in numbers of single precision, that a square lies in, or is behind by a part of its size.
+glm::dvec4 planeOf(const StyledSurface& square, bool facesEye, double behind)
+{
+    const glm::dvec3 normal(square.worldFromLocal[2] * (facesEye ? 1.0 : -1.0));
+    const glm::dvec3 point(square.worldFromLocal[3]);
+    return glm::vec4(glm::dvec4(normal, -glm::dot(normal, point) - behind));
+}
+
+TEST_P(SceneEdges, facesThatLieInSlantedClipPlanesAreWhole)
+{
+    const glm::dmat4 away = glm::translate(glm::dmat4(1.0), glm::dvec3(0.03, -0.05, 0.1));
+    for (const double angle : {0.0, 0.3, -0.7, 1.2})
+        for (const float transparency : {0.0f, 0.5f})
+            for (const bool perspective : {false, true})
+                for (const bool among : {false, true}) {
+                    StyledScene scene = sceneOf(0.3, perspective);
+                    if (among) scene.volumes = {cube(0.3, 0.0)};
+                    scene.surfaces = {
+                        square({1, 0, 0}, transparency, 0.4, glm::rotate(away, angle, {0.3, 0.8, 0.52}))};
+                    const auto whole = picturesOfEngines(scene);
+                    for (const bool facesEye : {false, true})
+                        for (const double behind : {0.0, 1e-4}) {
+                            StyledScene cut = scene;
+                            cut.surfaces[0].clipPlanes = {planeOf(scene.surfaces[0], facesEye, behind)};
+                            const auto drawn = picturesOfEngines(cut);
+                            for (std::size_t engine = 0; engine < drawn.size(); ++engine)
+                                for (std::size_t i = 0; i < drawn[engine].second.size(); ++i)
+                                    ASSERT_EQ(drawn[engine].second[i],
+                                              behind > 0.0 ? 0.0f : whole[engine].second[i])
+                                        << drawn[engine].first << ": number " << i << ", angle " << angle
+                                        << ", behind by " << behind;
+                        }
+                }
+}
+
 } // namespace
