@@ -391,8 +391,11 @@ private:
         const std::uint32_t uncut = uncutPlanes(surface, first);
         for (std::size_t i = 0; i < surface.clipPlanes.size(); ++i)
             if (!isUncut(uncut, i) && glm::dot(surface.clipPlanes[i], glm::dvec4(world, 1.0)) < 0) return;
+        // Of one depth what is opaque is seen, else the first.
+        const double same = 4e-7 * std::abs(depth);
+        const bool isSeenFirst = surface.isOpaque(first) && !(opaque_ <= depth + same);
         if (surface.isOpaque(first)) opaque_ = std::min(opaque_, depth);
-        if (depth >= front_) return;
+        if (!(depth < front_ + (isSeenFirst ? same : -same))) return;
         front_ = depth;
         const glm::dvec3 unit = glm::normalize(against > 0 ? normal : -normal);
         hit_ = {SceneHit::Kind::surface, surface.id, world, local.at(depth), {}, glm::vec3(unit), 1, depth};

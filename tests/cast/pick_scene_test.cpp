@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 namespace {
 
@@ -93,6 +94,28 @@ TEST(pickScene, clipPlanesAreMetWhereTheyCut)
     ASSERT_EQ(hit.kind, SceneHit::Kind::bounds);
     expectNear(hit.world, {0.5, 0.5, 1.0});
     expectNear(glm::dvec3(hit.normal), {0.0, 0.0, 1.0});
+}
+
+TEST(pickScene, ofFacesOfOnePlaneTheOpaqueOneOrTheFirstIsMet)
+{
+    for (const auto& [first, second, expected] :
+         {std::tuple(0.0f, 0.0f, 1), {0.0f, 0.5f, 1}, {0.5f, 0.5f, 1}, {0.5f, 0.0f, 2}}) {
+        StyledScene scene = orthoScene();
+        for (const float transparency : {first, second}) {
+            const auto size = static_cast<float>(5.3 + 0.7 * static_cast<double>(scene.surfaces.size()));
+            vo::StyledSurface face;
+            face.positions = {{-size, -size, 0}, {size, -size, 0}, {0, size, 0}};
+            face.triangles = {0, 1, 2};
+            face.solid = false;
+            face.transparency = transparency;
+            face.id = static_cast<int>(scene.surfaces.size()) + 1;
+            face.worldFromLocal = glm::rotate(glm::dmat4(1.0), 0.7, {0.6, 0.8, 0.0});
+            scene.surfaces.push_back(face);
+        }
+        for (int i = 0; i < 40; ++i)
+            EXPECT_EQ(pickAt(scene, 0.031 * i - 0.6, 0.5 - 0.027 * i, -1.0f).id, expected)
+                << first << " before " << second << ", " << i;
+    }
 }
 
 TEST(pickScene, facesThatLieInClipPlanesAreMet)
