@@ -171,8 +171,8 @@ void SceneDrawer::Private::findHits(bool hasSurfaces)
         hits.bind(source);
         volumes[ofHits[source]]->findHits(hits, source, target);
     }
-    hits.bind(ofHits.size());
     if (!hasSurfaces) return;
+    hits.bindForgetful(ofHits.size());
     gl.Enable(GL_DEPTH_TEST);
     gl.DepthFunc(GL_LESS); // of one depth the first
     translucent.findHits(hits, target, ofHits.size());

@@ -5,6 +5,7 @@
 #include "core/invertible.h"
 #include "draw/occupied_layers.h"
 #include "draw/scene_view_point.h"
+#include "draw/seen_bounds.h"
 #include "polygonize/slice_stack.h"
 #include "style/styled_voxels.h"
 #include "style/texel_list.h"
@@ -109,9 +110,18 @@ void DrawnVolume::prepare(const StyledScene& scene, const StyledVolume& volume, 
     program_ = &resources_.programs.find(texts_.vertexText, texts_.fragmentText);
     fillChainTextures();
     if (takesRays())
-        arrays_.sendPictureTriangle();
+        sendRays();
     else
         sendSlices();
+}
+
+/// Of pixels beside the volume drivers may compute all that those in it need.
+void DrawnVolume::sendRays()
+{
+    const SeenBounds bounds = seenBounds(*scene_, *volume_);
+    const glm::dvec2 pixel(2.0 / scene_->width, 2.0 / scene_->height);
+    arrays_.sendRectangle(glm::clamp(bounds.lower - pixel, -1.0, 1.0),
+                          glm::clamp(bounds.upper + pixel, -1.0, 1.0));
 }
 
 void DrawnVolume::fillChainTextures()
@@ -290,7 +300,7 @@ void DrawnVolume::keep(const TranslucentTarget& target, const ProjectionMerger& 
         joiner_->keep(*volume_->projection, volume_->spacing);
     } else {
         useProgram(target);
-        gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        drawRays();
     }
     gl.Enable(GL_BLEND);
 }
@@ -350,6 +360,11 @@ void DrawnVolume::drawSlice(std::size_t first, std::size_t count) const
                                        reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
+void DrawnVolume::drawRays() const
+{
+    resources_.context.gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
 void DrawnVolume::drawBetween(const RayHits& hits, float source, const TranslucentTarget& target)
 {
     if (layers_.layers.empty()) return;
@@ -357,7 +372,7 @@ void DrawnVolume::drawBetween(const RayHits& hits, float source, const Transluce
     source_ = source;
     target.bindWithoutDepths();
     useProgram(target);
-    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    drawRays();
 }
 
 void DrawnVolume::findHits(const RayHits& hits, std::size_t source, const TranslucentTarget& target)
@@ -366,13 +381,13 @@ void DrawnVolume::findHits(const RayHits& hits, std::size_t source, const Transl
     hits_ = &hits;
     source_ = static_cast<float>(source);
     useProgram(target);
-    resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    drawRays();
 }
 
 void DrawnVolume::draw(const SceneStep& step)
 {
     if (isJoined()) return joiner_->draw(*volume_->projection);
-    if (takesRays()) return resources_.context.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    if (takesRays()) return drawRays();
     if (volume_->surfaces) {
         const auto partTo = [&](double depth) {
             constexpr double kBeyond = 2.0;

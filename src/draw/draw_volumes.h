@@ -57,12 +57,14 @@ private:
     void keepClearBlocks(const ClearBlocks& clear);
     void cutSlices(const ClearBlocks& clear, StackSlicer& slicer);
     void sendSlices();
+    void sendRays();
     void useProgram(const TranslucentTarget& target);
     void bindTextures(const TranslucentTarget& target);
     void bindSegments(const Segments& segments, int unit);
     void setView(SceneProgram& program) const;
     void setRays(SceneProgram& program) const;
     void drawSlice(std::size_t first, std::size_t count) const;
+    void drawRays() const;
 
     SceneResources& resources_;
     SceneArrays arrays_;

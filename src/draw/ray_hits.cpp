@@ -171,6 +171,12 @@ void RayHits::begin(int width, int height, std::size_t sources)
     constexpr float kBeginning[4] = {-kNoHit, -2.0f, 0.0f, 0.0f};
     gl.BindFramebuffer(GL_FRAMEBUFFER, states_[newest_].framebuffer);
     gl.ClearBufferfv(GL_COLOR, 0, kBeginning);
+    constexpr float kClear[4] = {}, kNone[4] = {kNoHit, 0.0f, 0.0f, 0.0f};
+    for (std::size_t source = 0; source < sources_; ++source) {
+        bind(source);
+        gl.ClearBufferfv(GL_COLOR, 0, kClear);
+        gl.ClearBufferfv(GL_COLOR, 1, kNone);
+    }
 }
 
 SceneProgram& RayHits::use(const char* mainFunction)
@@ -213,6 +219,12 @@ void RayHits::bind(std::size_t source)
     checkFramebuffer(gl, width_, height_);
     gl.Disable(GL_BLEND);
     gl.Disable(GL_DEPTH_TEST);
+}
+
+void RayHits::bindForgetful(std::size_t source)
+{
+    const GladGLContext& gl = resources_.context.gl;
+    bind(source);
     gl.DepthMask(GL_TRUE);
     constexpr float kFarthest = 1.0f;
     gl.ClearBufferfv(GL_DEPTH, 0, &kFarthest);

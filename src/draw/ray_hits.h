@@ -24,9 +24,12 @@ public:
 
     /// Throws std::runtime_error if the driver has no such framebuffers.
     void begin(int width, int height, std::size_t sources);
-    /// Binds what keeps the next hits of a source: colour (output 0) and hit (output 1), and depths of its
-    /// own. Where the last one is reached, there are none yet.
+    /// Binds what keeps the next hits of a source: colour (output 0) and hit (output 1). There are none at
+    /// the beginning, and where the last one is reached the source puts others in their place.
     void bind(std::size_t source);
+    /// The same, with depths of its own, for a source that draws hits where they are: none are there where
+    /// the last one is reached.
+    void bindForgetful(std::size_t source);
     /// The uniforms of kReachedGlsl, and its texture in this unit.
     void bindReached(int unit, std::size_t source, SceneProgram& program) const;
     /// The nearest hits of all become those that are next. `target` has what is in front.

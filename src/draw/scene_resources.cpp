@@ -53,6 +53,13 @@ void SceneArrays::sendPictureTriangle()
     attribute(0, 2, 0, 2);
 }
 
+void SceneArrays::sendRectangle(const glm::dvec2& lower, const glm::dvec2& upper)
+{
+    const glm::vec2 corners[] = {glm::vec2(lower), {upper.x, lower.y}, {lower.x, upper.y}, glm::vec2(upper)};
+    send(&corners[0].x, 2 * std::size(corners));
+    attribute(0, 2, 0, 2);
+}
+
 void SceneArrays::sendIndices(const std::uint32_t* indices, std::size_t count)
 {
     const GladGLContext& gl = context_.gl;

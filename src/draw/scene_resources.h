@@ -4,6 +4,8 @@
 #include "draw/scene_programs.h"
 #include "draw/style_textures.h"
 
+#include <glm/vec2.hpp>
+
 namespace vo {
 
 /// What stays in the context from picture to picture.
@@ -33,6 +35,8 @@ public:
     void attribute(GLuint location, int count, int first, int stride);
     /// A triangle that covers the picture, two floats a corner: attribute 0.
     void sendPictureTriangle();
+    /// Corners of a part of the picture, in device coordinates, for a strip of two triangles: attribute 0.
+    void sendRectangle(const glm::dvec2& lower, const glm::dvec2& upper);
     void sendIndices(const std::uint32_t* indices, std::size_t count);
 
 private:

@@ -448,14 +448,14 @@ void main()
 {
     vec4 before = lastReached();
     if (!isNextWanted(before)) discard;
+    hit = vec4(kNoHit, 0.0, 0.0, 0.0);
+    fragment = vec4(0.0);
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way));
     float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
-    if (planes.x >= last) discard;
+    if (planes.x >= last) return;
     Walk walk = walkOf(origin, way);
     bool isFirst = !isOwn(before);
-    hit = vec4(kNoHit, 0.0, 0.0, 0.0);
-    fragment = vec4(0.0);
     float k = isFirst ? planes.x : before.z;
     while (k < last && fragment.a == 0.0) {
         float here, there;
@@ -549,7 +549,11 @@ layout(location = 1) out vec4 hit;
 void main()
 {
 #ifdef NEXT_HIT
-    if (!isAtBeginning(lastReached())) discard;
+    vec4 before = lastReached();
+    if (!isNextWanted(before)) discard;
+    fragment = vec4(0.0);
+    hit = vec4(kNoHit, 0.0, 0.0, 0.0);
+    if (isOwn(before)) return;
 #endif
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 range = depthsOn(origin, way), planes = planesIn(range);
