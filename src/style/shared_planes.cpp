@@ -19,6 +19,9 @@ namespace vo {
 
 namespace {
 
+/// Of the faces of a plane, with each other one.
+constexpr std::size_t kMostCompared = 64;
+
 /// A triangle of the world.
 struct Face
 {
@@ -34,7 +37,7 @@ struct Plane
 {
     glm::dvec3 normal;
     double offset, rounding;
-    std::size_t surface;
+    std::vector<std::size_t> faces{}; ///< where overlaps are looked for
     bool isShared = false;
     int number = -1;
 };
@@ -67,15 +70,21 @@ bool findPlane(Face& face)
     return true;
 }
 
+std::size_t triangleCount(const StyledScene& scene)
+{
+    std::size_t count = 0;
+    for (const StyledSurface& surface : scene.surfaces)
+        count += surface.triangles.size() / 3;
+    return count;
+}
+
 /// Corners of the world, by surface; none of what makes no sense, nor where there is nothing to look for.
 std::vector<std::vector<glm::dvec3>> positionsOf(const StyledScene& scene)
 {
-    std::size_t count = 0, surfaces = 0;
-    for (const StyledSurface& surface : scene.surfaces) {
-        count += surface.triangles.size() / 3;
-        surfaces += surface.triangles.size() >= 3 ? 1 : 0;
-    }
-    if (surfaces < 2 || count > SharedPlanes::kMostTriangles) return {};
+    const std::size_t count = triangleCount(scene);
+    const auto hasTriangles = [](const StyledSurface& surface) { return surface.triangles.size() >= 3; };
+    const bool areSeveral = std::ranges::count_if(scene.surfaces, hasTriangles) > 1;
+    if (count > (areSeveral ? SharedPlanes::kMostTriangles : SharedPlanes::kMostWithinSurfaces)) return {};
     std::vector<std::vector<glm::dvec3>> positions(scene.surfaces.size());
     for (std::size_t number = 0; number < scene.surfaces.size(); ++number) {
         const StyledSurface& surface = scene.surfaces[number];
@@ -188,19 +197,19 @@ private:
     std::vector<std::uint32_t> surfaces_;
 };
 
-/// Those that may share their planes with other surfaces, the largest first, which tell best what plane they
+/// Those that may share their planes with others, the largest first, which tell best what plane they
 /// are in.
 std::vector<Face> facesOf(const StyledScene& scene, const std::vector<std::vector<glm::dvec3>>& positions,
                           double scale)
 {
-    std::size_t count = 0;
-    for (const StyledSurface& surface : scene.surfaces)
-        count += surface.triangles.size() / 3;
-    SeenCells seen(count);
-    forFaces(scene, positions, [&](const Face& face) { seen.add(Cells(face, scale), face.surface); });
+    const std::size_t count = triangleCount(scene);
+    const bool areAll = count <= SharedPlanes::kMostWithinSurfaces;
+    SeenCells seen(areAll ? 0 : count);
+    if (!areAll)
+        forFaces(scene, positions, [&](const Face& face) { seen.add(Cells(face, scale), face.surface); });
     std::vector<Face> faces;
     forFaces(scene, positions, [&](const Face& face) {
-        if (seen.areShared(Cells(face, scale))) faces.push_back(face);
+        if (areAll || seen.areShared(Cells(face, scale))) faces.push_back(face);
     });
     std::ranges::stable_sort(faces, std::ranges::greater(), &Face::area);
     return faces;
@@ -222,7 +231,7 @@ public:
                     if (contains(planes[plane], face)) return plane;
         std::vector<std::size_t>& own = byCell_[cells.keys[0]];
         if (own.size() < kMostInCell) own.push_back(planes.size());
-        planes.push_back({face.normal, face.offset, face.rounding, face.surface});
+        planes.push_back({face.normal, face.offset, face.rounding});
         return planes.size() - 1;
     }
 
@@ -242,6 +251,34 @@ private:
     double scale_;
     std::unordered_map<std::uint64_t, std::vector<std::size_t>> byCell_;
 };
+
+/// Whether two triangles of one plane have more than an edge in common: no edge has them on its two sides.
+bool overlap(const Face& a, const Face& b)
+{
+    for (const Face* const face : {&a, &b})
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec3 edge = face->corners[(i + 1) % 3] - face->corners[i];
+            const glm::dvec3 across = glm::cross(a.normal, edge);
+            const auto rangeOf = [&](const Face& of) {
+                return std::minmax({glm::dot(across, of.corners[0]), glm::dot(across, of.corners[1]),
+                                    glm::dot(across, of.corners[2])});
+            };
+            const auto ofA = rangeOf(a), ofB = rangeOf(b);
+            const double rounding = 4.0 * std::max(a.rounding, b.rounding) * glm::length(across);
+            if (ofA.second <= ofB.first + rounding || ofB.second <= ofA.first + rounding) return false;
+        }
+    return true;
+}
+
+/// Whether a face lies in a plane with others of other surfaces, or of its own that it overlaps.
+bool sharesPlane(const Plane& plane, const Face& face, const std::vector<Face>& faces, bool withinSurfaces)
+{
+    if (plane.isShared || plane.faces.empty()) return plane.isShared;
+    return std::ranges::any_of(plane.faces, [&](std::size_t other) {
+        if (faces[other].surface != face.surface) return true;
+        return withinSurfaces && overlap(faces[other], face);
+    });
+}
 
 /// A plane of eye space, without triangles so far.
 SharedPlane seenPlane(const glm::dvec4& plane, const glm::dmat4& eyeFromClip)
@@ -286,10 +323,12 @@ SharedPlanes::SharedPlanes(const StyledScene& scene)
     PlaneList list(scale);
     std::vector<std::size_t> planes;
     planes.reserve(faces.size());
-    for (const Face& face : faces) {
-        planes.push_back(list.planeOf(face));
+    const bool withinSurfaces = triangleCount(scene) <= kMostWithinSurfaces;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        planes.push_back(list.planeOf(faces[i]));
         Plane& plane = list.planes[planes.back()];
-        plane.isShared = plane.isShared || plane.surface != face.surface;
+        plane.isShared = sharesPlane(plane, faces[i], faces, withinSurfaces);
+        if (plane.faces.size() < (withinSurfaces ? kMostCompared : 1)) plane.faces.push_back(i);
     }
     const glm::dmat4 worldFromEye = glm::inverse(scene.eyeFromWorld);
     const glm::dmat4 eyeFromClip = glm::inverse(scene.clipFromEye);

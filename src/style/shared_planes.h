@@ -10,7 +10,7 @@
 
 namespace vo {
 
-/// A plane in which triangles of several surfaces lie.
+/// A plane in which several faces lie.
 struct SharedPlane
 {
     glm::dvec4 plane{0.0};                ///< eye space: dot(plane, (p, 1)) = 0
@@ -21,13 +21,14 @@ struct SharedPlane
     double depthAt(double x, double y) const;
 };
 
-/// Triangles of several surfaces that lie in one plane but for rounding. Engines take the depths of all their
+/// Triangles of several surfaces that lie in one plane but for rounding, and in scenes of no more than
+/// kMostWithinSurfaces triangles those of one surface that overlap. Engines take the depths of all their
 /// pixels from the plane, so that these are equal where they meet. Nothing is looked for among more than
 /// kMostTriangles; of more than kMostPlanes those of the largest triangles count.
 class SharedPlanes
 {
 public:
-    static constexpr std::size_t kMostTriangles = 200'000, kMostPlanes = 1024;
+    static constexpr std::size_t kMostTriangles = 200'000, kMostWithinSurfaces = 2000, kMostPlanes = 1024;
 
     explicit SharedPlanes(const StyledScene& scene);
 

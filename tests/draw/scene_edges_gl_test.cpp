@@ -394,6 +394,33 @@ TEST_P(SceneEdges, facesOfOnePlaneDoNotMix)
             }
 }
 
+/// Two squares of one surface, with colours of their own.
+TEST_P(SceneEdges, facesOfOneSurfaceDoNotMix)
+{
+    for (const double angle : {0.0, 0.7, 1.2}) {
+        const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0.6, 0.8, 0.0));
+        StyledScene scene = sceneOf(0.3, true);
+        scene.surfaces = {square({1, 0, 0}, 0.0f, 0.4, turn), square({0, 1, 0}, 0.0f, 0.34, turn)};
+        const auto expected = picturesOfEngines(scene);
+        StyledSurface both = scene.surfaces[0];
+        both.triangles.insert(both.triangles.end(), {4, 5, 6, 4, 6, 7});
+        for (const glm::vec3& position : scene.surfaces[1].positions)
+            both.positions.push_back(position);
+        both.normals.resize(8, both.normals[0]);
+        both.emissive = glm::vec3(0.0f);
+        both.lit = true;
+        scene.surfaces = {both};
+        for (std::size_t i = 0; i < 8; ++i)
+            scene.surfaces[0].colors.emplace_back(i < 4 ? 1.0f : 0.0f, i < 4 ? 0.0f : 1.0f, 0.0f, 1.0f);
+        scene.surfaces[0].lights = {StyleLight{}};
+        const auto drawn = picturesOfEngines(scene);
+        for (std::size_t engine = 0; engine < drawn.size(); ++engine)
+            for (std::size_t i = 0; i < drawn[engine].second.size(); i += 4)
+                ASSERT_EQ(drawn[engine].second[i + 1] > 0.0f, expected[engine].second[i + 1] > 0.0f)
+                    << drawn[engine].first << ": number " << i << ", angle " << angle;
+    }
+}
+
 /// Of one depth the projection is in front, and hides the pane.
 TEST_P(SceneEdges, panesOnTheFrontOfAProjectionAreBehindIt)
 {

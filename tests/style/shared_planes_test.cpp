@@ -66,10 +66,25 @@ TEST(sharedPlanes, theyAreOfSeveralSurfaces)
 
 TEST(sharedPlanes, oneSurfaceAloneHasNone)
 {
-    StyledSurface twice = square(1.0, glm::dmat4(1.0));
-    twice.triangles.insert(twice.triangles.end(), {0, 1, 2});
+    for (const double angle : {0.0, 0.7, -2.1}) {
+        const StyledSurface alone = square(1.0, turned(angle));
+        EXPECT_FALSE(SharedPlanes(sceneOf({alone})).anyOf(0)) << angle;
+        EXPECT_FALSE(SharedPlanes(sceneOf({alone, StyledSurface()})).anyOf(0)) << angle;
+    }
+}
+
+TEST(sharedPlanes, overlapsWithinASurfaceCountInSmallScenes)
+{
+    StyledSurface twice = square(1.0, turned(0.7));
+    for (const glm::vec3 corner : {glm::vec3(0.9f, 0.5f, 0.0f), {3.0f, 0.0f, 0.0f}, {3.0f, 1.0f, 0.0f}})
+        twice.positions.push_back(corner);
+    twice.triangles.insert(twice.triangles.end(), {4, 5, 6});
+    EXPECT_EQ(SharedPlanes(sceneOf({twice})).numberOf(0, 6), 0);
+    twice.triangles.resize(3 * SharedPlanes::kMostWithinSurfaces + 3, 0);
     EXPECT_FALSE(SharedPlanes(sceneOf({twice})).anyOf(0));
-    EXPECT_FALSE(SharedPlanes(sceneOf({twice, StyledSurface()})).anyOf(0));
+    twice.triangles.resize(9);
+    twice.positions[4].x = 1.1f;
+    EXPECT_FALSE(SharedPlanes(sceneOf({twice})).anyOf(0));
 }
 
 TEST(sharedPlanes, theirDepthsAreThoseOfTheirPoints)
