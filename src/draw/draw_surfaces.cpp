@@ -97,17 +97,18 @@ double depthPerPixel(const glm::dvec3& normal, const glm::dvec3& eye, const Styl
 }
 
 /// How far from a slab a triangle is drawn at least, so that every pixel of the slab is: corners are moved by
-/// parts of a pixel.
+/// parts of a pixel, those of a cut as well, and pixels by an edge that two triangles share could be lost.
+/// Triangles of few pixels are not cut.
 double marginOf(const glm::dvec3& normal, const std::array<glm::dvec3, 3>& eye, const StyledScene& scene,
                 const EyeRays& rays)
 {
-    constexpr double kPartOfPixel = 1.0 / 16.0;
+    constexpr double kPartOfPixel = 1.0 / 16.0, kFewPixels = 16.0;
     const auto [farthest, nearest] = std::minmax({eye[0].z, eye[1].z, eye[2].z});
     double change = 0.0;
     for (const glm::dvec3& corner : eye)
         change = std::max(change, depthPerPixel(normal, corner, scene, rays));
-    const double moved = kPartOfPixel * change;
-    return (moved < nearest - farthest ? moved : nearest - farthest) + 1e-5 * std::abs(farthest);
+    const double reach = nearest - farthest;
+    return (kFewPixels * change < reach ? kPartOfPixel * change : reach) + 1e-5 * std::abs(farthest);
 }
 
 } // namespace

@@ -820,6 +820,37 @@ TEST_P(SceneDrawing, surfacesOfOneValueInOnePlaceAreInTheirOrder)
     }
 }
 
+/// Waves of triangles as small as pixels.
+TEST_P(SceneDrawing, fineMeshesHaveNoHoles)
+{
+    constexpr int kEdge = 150;
+    StyledScene scene = turnedScene({}, false);
+    scene.volumes.clear();
+    StyledSurface mesh = pane({0, 0, 0}, 1.0, {1, 0, 0}, 0.5f);
+    mesh.worldFromLocal = glm::dmat4(1.0);
+    mesh.positions.clear();
+    mesh.triangles.clear();
+    for (int y = 0; y <= kEdge; ++y)
+        for (int x = 0; x <= kEdge; ++x) {
+            const float u = static_cast<float>(x) / kEdge, v = static_cast<float>(y) / kEdge;
+            mesh.positions.emplace_back(2.0f * u - 1.0f, 2.0f * v - 1.0f,
+                                        0.2f * std::sin(9.0f * u) * std::cos(7.0f * v));
+            if (x == kEdge || y == kEdge) continue;
+            const int corner = y * (kEdge + 1) + x, above = corner + kEdge + 1;
+            for (const int i : {corner, corner + 1, above + 1, corner, above + 1, above})
+                mesh.triangles.push_back(i);
+        }
+    mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+    for (int moved = 0; moved < 8; ++moved) {
+        mesh.worldFromLocal[3] = {0.0037 * moved, 0.0053 * moved, 0.0, 1.0};
+        scene.surfaces = {mesh};
+        const std::vector<float> drawn = picture(scene);
+        for (int y = 14; y < kPixels - 14; ++y)
+            for (int x = 14; x < kPixels - 14; ++x)
+                ASSERT_NEAR(pixelAt(drawn, x, y)[3], 0.5f, 1e-5f) << x << ", " << y;
+    }
+}
+
 TEST_P(SceneDrawing, facesOfOneDepthAreAllSeenAndInTheirOrder)
 {
     StyledScene scene = turnedScene({});
