@@ -195,7 +195,10 @@ void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
     target.bindWithoutDepths();
     gl.ClearBufferfv(GL_COLOR, 0, kClear);
     gl.BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-    for (bool isOn = true; isOn;) {
+    // A driver that rounds a depth in another way with each pass would find the same hits for ever.
+    constexpr int kMostPasses = 1 << 14;
+    bool isOn = true;
+    for (int pass = 0; isOn && pass < kMostPasses; ++pass) {
         findHits(hasSurfaces);
         hits.chooseNext(target);
         gl.Enable(GL_BLEND);
