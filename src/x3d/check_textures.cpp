@@ -4,7 +4,9 @@
 #include "x3d/slice_atlas.h"
 #include "x3d/voxel_textures.h"
 
+#include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace vo {
 namespace {
@@ -20,6 +22,9 @@ std::string fileOf(const Scene& scene, const Node& node)
 /// PNG or JPEG, by its first bytes.
 bool isPicture(const std::string& path)
 {
+    // Opening a pipe would wait for whoever writes.
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) return false;
     char begin[4] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
     const std::string_view text(begin, sizeof begin);

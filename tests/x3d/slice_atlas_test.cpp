@@ -9,7 +9,9 @@
 #include "x3d/check_textures.h"
 
 #include <cstring>
+#include <fstream>
 #include <optional>
+#include <sys/stat.h>
 
 namespace vo {
 namespace {
@@ -263,6 +265,19 @@ TEST(SliceAtlas, checkTellsOfPicturesThatAreOneSlice)
     EXPECT_EQ(messageLine(checked.messages[0]),
               (folder / "s.x3d") + ":2: warning: ImageTexture3D: " + (folder / "a.png") +
                   ": a picture is one slice; ImageTextureAtlas takes one of many slices");
+}
+
+TEST(SliceAtlas, checkDoesNotWaitForPipes)
+{
+    const ScratchFolder folder;
+    ASSERT_EQ(mkfifo((folder / "a.png").c_str(), 0600), 0);
+    std::ofstream(folder / "s.x3d") << "<X3D><Scene><VolumeData><ImageTexture3D containerField='voxels' "
+                                       "url='\"a.png\"'/></VolumeData></Scene></X3D>";
+    Scene checked;
+    ASSERT_TRUE(readScene(checked, folder / "s.x3d"));
+    checkTextures(checked);
+    for (const SceneMessage& message : checked.messages)
+        EXPECT_EQ(messageLine(message).find("a picture is one slice"), std::string::npos);
 }
 
 } // namespace
