@@ -598,10 +598,15 @@ void fitSpacing(const std::string& path, VolumeValues& values)
 
 bool isScene(const std::string& path)
 {
-    std::ifstream file(path, std::ios::binary);
     char begin[64] = {};
-    file.read(begin, sizeof begin);
-    std::string_view text(begin, static_cast<std::size_t>(file.gcount()));
+    std::streamsize count = 0;
+    // Opening a pipe would wait for whoever writes.
+    if (std::error_code unknown; std::filesystem::is_regular_file(path, unknown)) {
+        std::ifstream file(path, std::ios::binary);
+        file.read(begin, sizeof begin);
+        count = file.gcount();
+    }
+    std::string_view text(begin, static_cast<std::size_t>(count));
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
         text.remove_prefix(1);

@@ -212,7 +212,8 @@ void SceneDrawer::Private::drawFromHitToHit(const StyledScene& scene)
 
 void SceneDrawer::Private::drawTranslucent(const StyledScene& scene, std::size_t count)
 {
-    if (!walked.empty() || !ofHits.empty()) return drawFromHitToHit(scene);
+    const bool areFacesAlone = count == 0 && facesHaveHits(scene);
+    if (!walked.empty() || !ofHits.empty() || areFacesAlone) return drawFromHitToHit(scene);
     const LayerLists lists = layerLists(count);
     std::vector<double> borders = stepBorders(lists);
     translucent.prepare(scene, *planes, borders);

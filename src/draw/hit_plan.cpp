@@ -15,6 +15,8 @@ namespace {
 constexpr std::ptrdiff_t kMostSources = 8;
 /// Rays stop at each; slabs are drawn once for all that are in them. Projections among slabs need no slices.
 constexpr double kMostLayers = 64.0, kMostLayersOfProjections = 16.0;
+/// Without volumes slabs are a few draws.
+constexpr double kMostLayersOfFaces = 8.0;
 
 /// Of the part that is in the picture.
 double areaOf(const SeenBounds& bounds)
@@ -83,6 +85,12 @@ std::vector<VolumePlace> volumePlaces(const StyledScene& scene, std::span<const 
     for (std::size_t i = 0; i < volumes.size(); ++i)
         if (!alone[i]) places[i] = VolumePlace::among;
     return places;
+}
+
+bool facesHaveHits(const StyledScene& scene)
+{
+    const double layers = translucentLayers(scene);
+    return layers > 0.0 && layers <= kMostLayersOfFaces;
 }
 
 std::vector<std::size_t> walkedNearestFirst(const StyledScene& scene,

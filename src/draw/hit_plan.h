@@ -16,6 +16,10 @@ enum class VolumePlace { alone, among, betweenHits, ofHits };
 /// unless samples of two volumes lie between each other, or there are tetrahedra, or much that has hits.
 std::vector<VolumePlace> volumePlaces(const StyledScene& scene, std::span<const StyledVolume* const> volumes);
 
+/// Whether rays stop at each translucent triangle of a scene without volumes: where there are not many one
+/// behind the other.
+bool facesHaveHits(const StyledScene& scene);
+
 /// Numbers of those that are walked through, the nearest first.
 std::vector<std::size_t> walkedNearestFirst(const StyledScene& scene,
                                             std::span<const StyledVolume* const> volumes,

@@ -122,6 +122,7 @@ DepthRange depthRange(const PlacedNode& viewpoint, const std::vector<ViewBox>& e
     if (!viewpoint.node) return range;
     const double near = floatOf(*viewpoint.node, "nearDistance", -1.0f);
     const double far = floatOf(*viewpoint.node, "farDistance", -1.0f);
+    if (near > 0.0 && far > near) return {near, far};
     if (far > 0.0) range = {std::min(range.near, far * 0.5), far};
     if (near > 0.0) range = {near, std::max(range.far, near * 2.0)};
     return range;

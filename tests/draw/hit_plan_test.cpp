@@ -34,7 +34,7 @@ struct Planned
     std::vector<std::size_t> walked;
 };
 
-Planned planned(const std::vector<StyledVolume>& volumes, int panes = 0)
+StyledScene sceneOf(int panes)
 {
     StyledScene scene;
     scene.clipFromEye = glm::perspective(1.5, 1.0, 0.01, 100.0);
@@ -45,6 +45,12 @@ Planned planned(const std::vector<StyledVolume>& volumes, int panes = 0)
         pane.triangles = {0, 1, 2, 0, 2, 3};
         pane.transparency = 0.5f;
     }
+    return scene;
+}
+
+Planned planned(const std::vector<StyledVolume>& volumes, int panes = 0)
+{
+    const StyledScene scene = sceneOf(panes);
     std::vector<const StyledVolume*> drawn;
     for (const StyledVolume& volume : volumes)
         drawn.push_back(&volume);
@@ -117,6 +123,14 @@ TEST(volumePlaces, raysDoNotStopAtVeryMany)
     const std::vector<StyledVolume> projection{volumeAt(5.0, Kind::projection)};
     EXPECT_EQ(planned(projection, 15).places, Places{kOf});
     EXPECT_EQ(planned(projection, 17).places, Places{kAmong});
+}
+
+TEST(facesHaveHits, unlessThereAreManyOrNone)
+{
+    EXPECT_FALSE(facesHaveHits(sceneOf(0)));
+    EXPECT_TRUE(facesHaveHits(sceneOf(1)));
+    EXPECT_TRUE(facesHaveHits(sceneOf(7)));
+    EXPECT_FALSE(facesHaveHits(sceneOf(9)));
 }
 
 } // namespace

@@ -394,6 +394,27 @@ TEST_P(SceneEdges, facesOfOnePlaneDoNotMix)
             }
 }
 
+/// Two panes that cross along the upright line through the middle, at an angle of 0.001: red in front on the
+/// left. Slabs of the whole depth are thicker than they are apart.
+TEST_P(SceneEdges, panesThatCrossAtASmallAngleAreInOrder)
+{
+    StyledSurface red = pane(0.0, 0.0005, 5.0), green = pane(0.0, -0.0005, 5.0),
+                  behind = pane(-1.0, 0.0, 5.0);
+    red.emissive = {1, 0, 0};
+    green.emissive = {0, 1, 0};
+    red.transparency = green.transparency = behind.transparency = 0.5f;
+    StyledScene scene = sceneOf(0.3, true);
+    for (const bool isFirst : {true, false}) {
+        scene.surfaces = isFirst ? std::vector{red, green, behind} : std::vector{green, red, behind};
+        for (const auto& [engine, picture] : picturesOfEngines(scene))
+            for (int x = 0; x < kPixels; ++x) {
+                const bool left = x < kPixels / 2;
+                EXPECT_NEAR(pixelAt(picture, x, 9)[0], left ? 0.5f : 0.25f, 1e-5) << engine << ": " << x;
+                EXPECT_NEAR(pixelAt(picture, x, 9)[1], left ? 0.25f : 0.5f, 1e-5) << engine << ": " << x;
+            }
+    }
+}
+
 /// Two squares of one surface, with colours of their own.
 TEST_P(SceneEdges, facesOfOneSurfaceDoNotMix)
 {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <regex>
 #include <sstream>
+#include <sys/stat.h>
 
 #include "run_program.h"
 #include "scratch_folder.h"
@@ -92,6 +93,18 @@ TEST_F(Vox3d, saveKeepsFilesThatItShouldNotReplace)
     EXPECT_EQ(read(other), "notes");
     EXPECT_EQ(vox3d(good + " -save " + (folder / "absent/out.x3d")).status, 1);
     EXPECT_EQ(folder.fileCount(), 3);
+}
+
+TEST_F(Vox3d, pipesAreNotWaitedFor)
+{
+    const std::string pipe = folder / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const std::string& options : {pipe + " -check", pipe + " -save " + (folder / "out.x3d"),
+                                       scene("good.x3d", "<Group/>") + " -save " + pipe}) {
+        const ProgramRun run = vox3d(options);
+        EXPECT_EQ(run.status, 1) << options;
+        EXPECT_NE(run.output.find("expected a regular file"), std::string::npos) << run.output;
+    }
 }
 
 TEST_F(Vox3d, allowLetsFilesIn)

@@ -247,6 +247,8 @@ TEST(StyledView, depthsThatAViewpointGivesAreThosePlanes)
     EXPECT_GT(depthAt("nearDistance='3'", 10.6), 1.0);
     EXPECT_NEAR(depthAt("nearDistance='3' farDistance='8'", 3.0), -1.0, 1e-9);
     EXPECT_NEAR(depthAt("nearDistance='3' farDistance='8'", 8.0), 1.0, 1e-9);
+    EXPECT_NEAR(depthAt("nearDistance='9' farDistance='9.5'", 9.0), -1.0, 1e-9);
+    EXPECT_NEAR(depthAt("nearDistance='9' farDistance='9.5'", 9.5), 1.0, 1e-9);
 }
 
 TEST(StyledView, headlightShinesFromTheEye)
