@@ -111,7 +111,11 @@ private:
         for (Stream& stream : streams_) {
             std::span<const TetraSpan> spans;
             if (stream.volume->tetras) spans = stream.tetras.of(index);
-            if (stream.ray.begin(ray, rays_.depths(), opaque.depth, spans) && stream.ray.next(stream.run))
+            // Surfaces of values in one place with what is opaque are in front of it.
+            const double more = stream.volume->styled->surfaces ? kRounding : 0.0;
+            const double end =
+                std::isfinite(opaque.depth) ? opaque.depth + more * std::abs(opaque.depth) : opaque.depth;
+            if (stream.ray.begin(ray, rays_.depths(), end, spans) && stream.ray.next(stream.run))
                 active_.push_back(&stream);
         }
         Pixel pixel;
@@ -166,7 +170,7 @@ private:
     static double roundingOf(const Stream& stream)
     {
         const StyledVolume& volume = *stream.volume->styled;
-        return volume.projection || volume.surfaces ? 2e-6 : 0.0;
+        return volume.projection || volume.surfaces ? kRounding : 0.0;
     }
 
     static bool isBefore(double depth, double other, double rounding)
@@ -213,6 +217,8 @@ private:
 
     const SceneRays& rays_;
     Sky sky_;
+    static constexpr double kRounding = 2e-6;
+
     const SightLimits& limits_;
     const CastSurfaces& surfaces_;
     const CastPoints& points_;

@@ -225,10 +225,10 @@ uniform float depthBase;
 uniform vec4 depthsInWindow;
 uniform sampler2D windowDepths;
 
-// Where the ray meets what is opaque.
-float opaqueDepth()
+// Where the ray meets what is opaque, so much farther in the window.
+float opaqueDepth(float farther)
 {
-    float there = texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r;
+    float there = texelFetch(windowDepths, ivec2(gl_FragCoord.xy), 0).r + farther;
     float z = (2.0 * there - gl_DepthRange.near - gl_DepthRange.far) / gl_DepthRange.diff;
     if (z >= 1.0) return 1e30;
     return (depthsInWindow.z - z * depthsInWindow.w) / (depthsInWindow.x - z * depthsInWindow.y) - depthBase;
@@ -354,7 +354,7 @@ void main()
 {
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way)), part = partOfRay();
-    float last = min(min(planes.y, lastBefore(opaqueDepth())), lastBefore(part.y));
+    float last = min(min(planes.y, lastBefore(opaqueDepth(0.0))), lastBefore(part.y));
     planes.x = max(planes.x, lastBefore(part.x) + 1.0);
     if (planes.x > last) discard;
     float units = length(way) * spacing / unitLength;
@@ -396,6 +396,9 @@ void main()
 )";
 
 const char* const kCrossingFunctions = R"(
+// Surfaces in one place with what is opaque are in front of it: four steps of depths of 24 bits.
+const float kInFront = 2.4e-7;
+
 // Goes on by leaps and a few planes, as far as one before which a surface is crossed: whether there is one.
 // The values at the plane before it, and at it.
 bool findCrossing(inout float k, float last, Walk walk, out float here, out float there)
@@ -420,7 +423,7 @@ void main()
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way)), part = partOfRay();
     // A crossing at the plane where the part begins or ends may be of the cell beside.
-    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(min(opaque, part.y)) + 2.0);
+    float opaque = opaqueDepth(kInFront), last = min(planes.y, lastBefore(min(opaque, part.y)) + 2.0);
     planes.x = max(planes.x, lastBefore(part.x) - 1.0);
     if (planes.x >= last) discard;
     Walk walk = walkOf(origin, way);
@@ -452,7 +455,7 @@ void main()
     fragment = vec4(0.0);
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 planes = planesIn(depthsOn(origin, way));
-    float opaque = opaqueDepth(), last = min(planes.y, lastBefore(opaque) + 1.0);
+    float opaque = opaqueDepth(kInFront), last = min(planes.y, lastBefore(opaque) + 1.0);
     if (planes.x >= last) return;
     Walk walk = walkOf(origin, way);
     bool isFirst = !isOwn(before);
@@ -557,7 +560,7 @@ void main()
 #endif
     vec3 origin = rayOrigins * vec3(1.0, device), way = rayDirections * vec3(1.0, device);
     vec2 range = depthsOn(origin, way), planes = planesIn(range);
-    float last = min(planes.y, lastBefore(opaqueDepth()));
+    float last = min(planes.y, lastBefore(opaqueDepth(0.0)));
     if (planes.x > last) discard;
     Joined all = Joined(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     for (float k = planes.x; k <= last && !all.found; k += 1.0) {

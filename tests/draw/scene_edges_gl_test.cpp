@@ -394,6 +394,39 @@ TEST_P(SceneEdges, facesOfOnePlaneDoNotMix)
             }
 }
 
+/// It is in front, wherever the face stands in its plane.
+TEST_P(SceneEdges, surfacesOfValuesInOnePlaneWithOpaqueFacesAreWhole)
+{
+    for (const double angle : {0.0, 0.7, 1.2})
+        for (const bool perspective : {false, true}) {
+            const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(0.6, 0.8, 0.0));
+            StyledScene scene = sceneOf(0.3, perspective);
+            scene.volumes = {cube(0.6, 0.0)};
+            // Bytes 30, 90, 150 and 210, linear between all of them.
+            scene.volumes[0].voxels =
+                bytes({4, 4, 4}, [](const glm::dvec3& place) { return 240.0 / 255.0 * place.z; });
+            scene.volumes[0].worldFromLocal = turn;
+            scene.volumes[0].surfaces = IsoSurfaces{{120.0f / 255.0f}, {StyleChain{}}, 0.0f, {}};
+            const auto surface = picturesOfEngines(scene);
+            scene.surfaces = {square({1, 0, 0}, 0.0f, 0.25, turn)};
+            const auto drawn = picturesOfEngines(scene);
+            scene.volumes.clear();
+            const auto face = picturesOfEngines(scene);
+            int seen = 0;
+            for (std::size_t engine = 0; engine < drawn.size(); ++engine)
+                for (std::size_t i = 0; i < drawn[engine].second.size(); ++i) {
+                    const float opacity = surface[engine].second[i | 3];
+                    if (opacity == 0.0f) continue;
+                    const float expected =
+                        surface[engine].second[i] + (1.0f - opacity) * face[engine].second[i];
+                    EXPECT_NEAR(drawn[engine].second[i], expected, 1e-4)
+                        << drawn[engine].first << ": " << angle << ", " << i;
+                    ++seen;
+                }
+            EXPECT_GT(seen, 100);
+        }
+}
+
 /// Two panes that cross along the upright line through the middle, at an angle of 0.001: red in front on the
 /// left. Slabs of the whole depth are thicker than they are apart.
 TEST_P(SceneEdges, panesThatCrossAtASmallAngleAreInOrder)
