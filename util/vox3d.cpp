@@ -71,9 +71,8 @@ vo::Result<void> checkOutput(const std::string& scene, const std::string& output
     std::error_code none;
     if (std::filesystem::equivalent(scene, output, none))
         return vo::Failure{output + ": expected an output that is no input, found the scene"};
-    const std::filesystem::file_status status = std::filesystem::status(output, none);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        return vo::Failure{output + ": expected a regular file, found a folder, a device or the like"};
+    // Opening a pipe would wait for whoever writes; FileBeside refuses it.
+    if (!std::filesystem::is_regular_file(output, none)) return {};
     std::ifstream file(output, std::ios::binary);
     char first = 0;
     if (file >> first && first != '<' && first != '#')

@@ -112,9 +112,7 @@ private:
             std::span<const TetraSpan> spans;
             if (stream.volume->tetras) spans = stream.tetras.of(index);
             // Surfaces of values in one place with what is opaque are in front of it.
-            const double more = stream.volume->styled->surfaces ? kRounding : 0.0;
-            const double end =
-                std::isfinite(opaque.depth) ? opaque.depth + more * std::abs(opaque.depth) : opaque.depth;
+            const double end = behind(opaque.depth, stream.volume->styled->surfaces ? kRounding : 0.0);
             if (stream.ray.begin(ray, rays_.depths(), end, spans) && stream.ray.next(stream.run))
                 active_.push_back(&stream);
         }
@@ -153,9 +151,7 @@ private:
             return true;
         }
         Stream& stream = **nearest;
-        const double limit = std::min(surface, limitOf(nearest));
-        const double early = std::isfinite(limit) ? roundingOf(stream) * std::abs(limit) : 0.0;
-        addUntil(stream, limit - early, pixel);
+        addUntil(stream, behind(std::min(surface, limitOf(nearest)), -roundingOf(stream)), pixel);
         if (stream.run.atEnd() && !pixel.done() && !stream.ray.next(stream.run)) active_.erase(nearest);
         return true;
     }
@@ -165,17 +161,25 @@ private:
         return stream.run.depth[static_cast<std::size_t>(stream.run.next)];
     }
 
-    /// Of depths at which faces and surfaces of values are found in different ways, a part of them. Samples
-    /// are on planes.
+    /// Of depths at which faces and surfaces of values are found in different ways, a part of them.
+    static constexpr double kRounding = 2e-6;
+
+    /// Samples are on planes.
     static double roundingOf(const Stream& stream)
     {
         const StyledVolume& volume = *stream.volume->styled;
         return volume.projection || volume.surfaces ? kRounding : 0.0;
     }
 
+    /// A depth that is farther by a part of it.
+    static double behind(double depth, double part)
+    {
+        return std::isfinite(depth) ? depth + part * std::abs(depth) : depth;
+    }
+
     static bool isBefore(double depth, double other, double rounding)
     {
-        return depth < other - rounding * std::abs(other);
+        return depth < behind(other, -rounding);
     }
 
     /// The stream whose next fragment is nearest: at equal depths the one that the scene has first.
@@ -217,8 +221,6 @@ private:
 
     const SceneRays& rays_;
     Sky sky_;
-    static constexpr double kRounding = 2e-6;
-
     const SightLimits& limits_;
     const CastSurfaces& surfaces_;
     const CastPoints& points_;

@@ -50,8 +50,10 @@ private:
         if (absentAt_.load(std::memory_order_relaxed) == librariesLoaded) return false;
         // Keeping the handle keeps the library, and so the two pointers.
         void* handle = dlopen(library_, RTLD_NOLOAD | RTLD_LAZY);
-        if (!handle) absentAt_.store(librariesLoaded, std::memory_order_relaxed);
-        if (!handle) return false;
+        if (!handle) {
+            absentAt_.store(librariesLoaded, std::memory_order_relaxed);
+            return false;
+        }
         auto getCurrent = reinterpret_cast<GetCurrent>(dlsym(handle, getCurrentName_));
         auto getFunction = reinterpret_cast<GetGlFunction>(dlsym(handle, getFunctionName_));
         if (!getCurrent || !getFunction) return false;

@@ -280,6 +280,20 @@ bool sharesPlane(const Plane& plane, const Face& face, const std::vector<Face>& 
     });
 }
 
+/// The plane of each face; finds which planes are shared.
+std::vector<std::size_t> sortIntoPlanes(const std::vector<Face>& faces, bool withinSurfaces, PlaneList& list)
+{
+    std::vector<std::size_t> planeOfFace;
+    planeOfFace.reserve(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        planeOfFace.push_back(list.planeOf(faces[i]));
+        Plane& plane = list.planes[planeOfFace.back()];
+        plane.isShared = sharesPlane(plane, faces[i], faces, withinSurfaces);
+        if (plane.faces.size() < (withinSurfaces ? kMostCompared : 1)) plane.faces.push_back(i);
+    }
+    return planeOfFace;
+}
+
 /// A plane of eye space, without triangles so far.
 SharedPlane seenPlane(const glm::dvec4& plane, const glm::dmat4& eyeFromClip)
 {
@@ -321,15 +335,8 @@ SharedPlanes::SharedPlanes(const StyledScene& scene)
     const double scale = farthestOf(positions);
     const std::vector<Face> faces = facesOf(scene, positions, scale);
     PlaneList list(scale);
-    std::vector<std::size_t> planes;
-    planes.reserve(faces.size());
-    const bool withinSurfaces = triangleCount(scene) <= kMostWithinSurfaces;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        planes.push_back(list.planeOf(faces[i]));
-        Plane& plane = list.planes[planes.back()];
-        plane.isShared = sharesPlane(plane, faces[i], faces, withinSurfaces);
-        if (plane.faces.size() < (withinSurfaces ? kMostCompared : 1)) plane.faces.push_back(i);
-    }
+    const std::vector<std::size_t> planeOfFace =
+        sortIntoPlanes(faces, triangleCount(scene) <= kMostWithinSurfaces, list);
     const glm::dmat4 worldFromEye = glm::inverse(scene.eyeFromWorld);
     const glm::dmat4 eyeFromClip = glm::inverse(scene.clipFromEye);
     for (Plane& plane : list.planes) {
@@ -340,7 +347,7 @@ SharedPlanes::SharedPlanes(const StyledScene& scene)
     if (planes_.empty()) return;
     numbers_.resize(scene.surfaces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const int number = list.planes[planes[i]].number;
+        const int number = list.planes[planeOfFace[i]].number;
         if (number < 0) continue;
         std::vector<int>& numbers = numbers_[faces[i].surface];
         if (numbers.empty()) numbers.assign(scene.surfaces[faces[i].surface].triangles.size() / 3, -1);
